@@ -41,8 +41,8 @@ class Native;
 /// Several may live side by side; at most one is current on a thread, and a context is current on
 /// at most one thread. It must be destroyed on the thread where it is current, or where none is.
 struct Context {
-  Context(Context&&) noexcept;
-  Context& operator=(Context&&) noexcept;
+  Context(Context&& other) noexcept;
+  Context& operator=(Context&& other) noexcept;
   ~Context();
 
   Backend backend;       ///< never `automatic`
@@ -66,9 +66,10 @@ struct Context {
   /// Leaves the calling thread without a context, if this is its context.
   void release() const;
 
-  explicit Context(Backend made_by, std::unique_ptr<Native> native);  // for backends
-
  private:
+  friend Context create(Backend, Size);
+  Context(Backend made_by, std::unique_ptr<Native> native);
+
   std::unique_ptr<Native> native_;
 };
 
