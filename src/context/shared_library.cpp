@@ -13,12 +13,14 @@ SharedLibrary::SharedLibrary(std::string subject, std::string file, const std::s
   if (library_) return;
   const char* message = dlerror();
   const std::string why = message ? message : "for no stated reason";
-  const std::string remedy = "install it with apt-get install " + package;
   // The loader begins with the file that it looked for: this one, or one that this one needs.
   const bool missing = why.starts_with(file_) && why.find("No such file") != std::string::npos;
-  if (missing) throw Unavailable(subject_ + ": " + file_ + " is not installed", remedy);
+  if (missing) {
+    throw Unavailable(subject_ + ": " + file_ + " is not installed",
+                      "install it with apt-get install " + package);
+  }
   throw Unavailable(subject_ + ": " + file_ + " does not load (" + why + ")",
-                    "re" + remedy + " --reinstall");
+                    "install it anew with apt-get install --reinstall " + package);
 }
 
 void* SharedLibrary::symbol(const char* name) const {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "context/native.h"
 #include "core/error.h"
 
 namespace shadowlab::context {
@@ -203,6 +204,17 @@ TEST(Glfw, without_a_display_is_a_sentence) {
   } catch (const MachineError& error) {
     expect_a_sentence(error.what());
     EXPECT_THAT(error.what(), testing::StartsWith("GLFW: "));
+  }
+}
+
+TEST(SharedLibrary, that_is_missing_names_the_package_to_install) {
+  try {
+    SharedLibrary("OSMesa", "libOSMesa.so.0815", "libosmesa6");
+    ADD_FAILURE() << "there is no such library";
+  } catch (const MachineError& error) {
+    EXPECT_STREQ(error.what(),
+                 "OSMesa: libOSMesa.so.0815 is not installed; install it with apt-get install "
+                 "libosmesa6.");
   }
 }
 
