@@ -1,0 +1,46 @@
+// How much memory a script may hold.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace shadowlab::lua {
+
+class Budget;
+
+/// The allocator of one Lua state, with a cap on the bytes alive. Past the cap Lua collects its
+/// garbage and raises "not enough memory" if that does not help.
+class Heap {
+ public:
+  Heap(std::size_t cap, Budget& budget) : cap_(cap), budget_(budget) {}
+
+  /// A lua_Alloc whose `heap` is a Heap.
+  static void* allocate(void* heap, void* block, std::size_t old_size, std::size_t new_size);
+
+  std::size_t cap() const { return cap_; }
+  std::size_t bytes() const { return bytes_; }
+  /// Requests for more memory so far, for tests that fail each in turn.
+  std::uint64_t requests() const { return requests_; }
+  /// The k-th request for more memory from now (1: the next) and all after it fail; 0: none does.
+  void fail_from(std::uint64_t k) { fail_at_ = k == 0 ? 0 : requests_ + k; }
+
+  /// Where the script was when a request was last refused: "FILE:LINE: ", or nothing.
+  const std::string& refused_at() const { return refused_at_; }
+
+  /// Counts bytes that a binding holds outside Lua; false, and nothing counted, if they do not fit.
+  bool take(std::size_t bytes);
+  void give(std::size_t bytes) { bytes_ -= bytes; }
+
+ private:
+  bool may_grow(std::size_t more);
+
+  std::size_t cap_;
+  Budget& budget_;
+  std::size_t bytes_ = 0;
+  std::uint64_t requests_ = 0;
+  std::uint64_t fail_at_ = 0;
+  std::string refused_at_;
+};
+
+}  // namespace shadowlab::lua
