@@ -1,0 +1,57 @@
+// Which triangles face the light, exactly, for a light that moves every frame.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/adjacency.h"
+
+namespace shadowlab::shadow {
+
+/// A light is (x, y, z, w) in model space: w = 1 a point, w = 0 the direction toward a light at
+/// infinity, any w > 0 the point xyz/w. This is the same light with w ≥ 0. Throws InputError where
+/// it is not finite or where xyz = 0 and w = 0.
+glm::dvec4 normalized_light(glm::dvec4 light);
+
+/// The light in the space of an object: inverse(model)·light, normalized. Throws InputError where
+/// `model` is not invertible.
+glm::dvec4 light_in_model_space(const glm::dmat4& model, glm::dvec4 light);
+
+/// The planes of a mesh's triangles, as floats with a proven error bound; where that cannot tell,
+/// the vertices decide exactly (`scene::plane_side`). So the answers do not depend on the machine.
+class FacingPlanes {
+ public:
+  FacingPlanes(std::vector<glm::vec3> positions, std::vector<scene::Triangle> triangles);
+
+  std::span<const glm::vec3> positions() const { return positions_; }
+  std::span<const scene::Triangle> triangles() const { return triangles_; }
+
+  /// out[i] for triangle first + i: 1 where it faces `light` (normalized), 0 where it faces away or
+  /// holds the light in its plane.
+  void lit(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const;
+  /// out[i] for triangle first + i: +1, -1, or 0 where the light is in its plane.
+  void signs(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const;
+
+  /// Bytes that `lit` must read a triangle.
+  static constexpr std::size_t bytes_a_triangle = 4 * sizeof(float);
+
+ private:
+  struct FloatLight;
+  FloatLight rounded(glm::dvec4 light) const;
+  template <class Kernel, class Exact>
+  void evaluate(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out, Kernel kernel,
+                Exact exact) const;
+  int exact_sign(std::size_t triangle, glm::dvec4 light) const;
+
+  std::vector<glm::vec3> positions_;
+  std::vector<scene::Triangle> triangles_;
+  std::vector<float> x_, y_, z_, d_;  // unit normals, and offset / radius_ from center_
+  glm::dvec3 center_{0};
+  double radius_ = 1;
+  double error_ = 0;  // of d_, beyond the rounding to float
+};
+
+}  // namespace shadowlab::shadow
