@@ -66,9 +66,10 @@ Mesh torus(double radius = 0.5, double tube = 0.2, int slices = 48, int sides = 
 Mesh tetrahedron(double radius = 0.5);
 /// A height field over [-w/2, w/2] × [-d/2, d/2]: heights[row * (columns+1) + column], row along +z.
 Mesh grid(double width, double depth, int columns, int rows, std::span<const double> heights);
-/// The Utah teapot from its 32 Bézier patches, `divisions` × `divisions` quads a patch, standing on
-/// y = 0, `size` = its height. Newell's original is open at the rim, has no bottom, and its spout and
-/// handle pierce the body: that is kept, since real casters are like that.
+/// The Utah teapot from its 32 Bézier patches (four of them the bottom), `divisions` × `divisions`
+/// quads a patch, 1 to 128, standing on y = 0, `size` = its height, spout toward +x. Newell's original
+/// is open between lid and rim and at both ends of spout and handle, which pierce the body: that is
+/// kept, since real casters are like that. Degenerate triangles are left out.
 Mesh teapot(double size = 1.0, int divisions = 8);
 
 /// Reads a Wavefront OBJ (positions, normals, uvs, polygons triangulated; materials ignored).
