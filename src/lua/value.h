@@ -5,6 +5,7 @@
 // GL refuses them there.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -12,6 +13,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <lua.hpp>
+
+#include "lua/entry.h"
 
 namespace shadowlab::lua {
 
@@ -35,6 +38,9 @@ struct KindOf<glm::dquat> : std::integral_constant<Kind, Kind::quat> {};
 
 /// The name of the kind in Lua: "vec3".
 const char* name(Kind kind);
+
+/// The documentation of the values' modules, in the order of Kind.
+std::array<Module, kind_count> value_modules();
 
 /// Makes the globals vec2 … quat and their metatables. Call it once for a state, before the
 /// functions below, and protected (lua_pcall), since it allocates.
@@ -63,6 +69,8 @@ const T* test(lua_State* L, int index) {
 /// InputError: "WHAT must be a vec3, or a table of 3 numbers; it is a string".
 template <class T>
 T read(lua_State* L, int index, const char* what);
+template <>
+double read<double>(lua_State* L, int index, const char* what);
 
 /// What is at `index`, for the end of a sentence: "a string", "a mesh", "nil", "missing".
 std::string describe(lua_State* L, int index);
