@@ -1,7 +1,7 @@
 // What can go wrong, in the user's words.
 //
-// Every message is one plain sentence: what is wrong, where, and what to do about it. Nothing of the
-// C++ (type names, function names, stacks) belongs in it.
+// Every message is one plain sentence: what is wrong, where, and what to do about it. Nothing of
+// the C++ (type names, function names, stacks) belongs in it.
 #pragma once
 
 #include <stdexcept>

@@ -8,12 +8,12 @@
 
 namespace shadowlab {
 
-/// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`
-/// (optimal string alignment distance), capital and small letters being the same.
+/// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
+/// `b` (optimal string alignment distance), capital and small letters being the same.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name among `names` nearest to `name`, if it is near enough to be a misspelling of it: at most
-/// a third of its letters differ. Of equally near names, the first.
+/// The name among `names` nearest to `name`, if it is near enough to be a misspelling of it: at
+/// most a third of its letters differ. Of equally near names, the first.
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> names);
 

@@ -1,0 +1,296 @@
+#include "gl/accumulation.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "gl/state.h"
+
+namespace shadowlab::gl {
+namespace {
+
+struct StorageFormat {
+  const char* name;
+  int bits;
+  int half;  // integers wrap around in [-half, half); 1.0 is half - 1
+  GLenum internal, format, type;
+};
+
+constexpr std::array<StorageFormat, 4> formats{{
+    {"snorm8", 8, 128, GL_RGBA8I, GL_RGBA_INTEGER, GL_BYTE},
+    {"snorm16", 16, 32768, GL_RGBA16I, GL_RGBA_INTEGER, GL_SHORT},
+    {"float16", 16, 0, GL_RGBA16F, GL_RGBA, GL_FLOAT},
+    {"float32", 32, 0, GL_RGBA32F, GL_RGBA, GL_FLOAT},
+}};
+
+const StorageFormat& format_of(AccumStorage storage) {
+  return formats[static_cast<std::size_t>(storage)];
+}
+
+constexpr const char* triangle_over_all = R"(#version 330 core
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1);
+}
+)";
+
+// What a stored integer becomes is decided on integers alone, so that every GPU gives Mesa's bits:
+// `table` holds what each of the 256 colours adds.
+constexpr const char* integer_step = R"(#version 330 core
+uniform isampler2D accumulated;
+uniform sampler2D color;
+uniform isampler2D table;
+uniform int operation;  // 0 accum, 1 load, 2 add, 3 mult
+uniform int bias;
+uniform float factor;
+uniform int half_range;
+uniform ivec4 box;
+out ivec4 result;
+
+ivec4 wrapped(ivec4 v) { return ((v + half_range) & (2 * half_range - 1)) - half_range; }
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec4 before = texelFetch(accumulated, at, 0);
+  result = before;
+  if (any(lessThan(at, box.xy)) || any(greaterThanEqual(at, box.xy + box.zw))) return;
+  if (operation == 2) {
+    result = wrapped(before + bias);
+  } else if (operation == 3) {
+    result = wrapped(ivec4(vec4(before) * factor));
+  } else {
+    ivec4 c = ivec4(round(texelFetch(color, at, 0) * 255.0));
+    ivec4 added = ivec4(texelFetch(table, ivec2(c.r, 0), 0).r, texelFetch(table, ivec2(c.g, 0), 0).r,
+                        texelFetch(table, ivec2(c.b, 0), 0).r, texelFetch(table, ivec2(c.a, 0), 0).r);
+    result = operation == 1 ? added : wrapped(before + added);
+  }
+}
+)";
+
+constexpr const char* float_step = R"(#version 330 core
+uniform sampler2D accumulated;
+uniform sampler2D color;
+uniform int operation;
+uniform float factor;
+uniform ivec4 box;
+out vec4 result;
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 before = texelFetch(accumulated, at, 0);
+  result = before;
+  if (any(lessThan(at, box.xy)) || any(greaterThanEqual(at, box.xy + box.zw))) return;
+  if (operation == 2) {
+    result = before + factor;
+  } else if (operation == 3) {
+    result = before * factor;
+  } else {
+    vec4 added = texelFetch(color, at, 0) * factor;
+    result = operation == 1 ? added : before + added;
+  }
+}
+)";
+
+// Rounded here, to the nearest, and not by the driver's conversion to 8 bits.
+std::string give_back_text(bool integral) {
+  return std::string("#version 330 core\nuniform ") + (integral ? "isampler2D" : "sampler2D") +
+         R"( accumulated;
+uniform float factor;
+out vec4 color;
+void main() {
+  vec4 value = vec4(texelFetch(accumulated, ivec2(gl_FragCoord.xy), 0)) * factor;
+  color = roundEven(clamp(value, 0.0, 1.0) * 255.0) / 255.0;
+}
+)";
+}
+
+// C's conversion of an out-of-range float is undefined; what x86 gives (and Mesa therefore shows)
+// is the lowest integer, whose low bits are 0.
+int truncated(float value) { return std::abs(value) < 2147483648.0f ? static_cast<int>(value) : 0; }
+
+}  // namespace
+
+const char* name_of(AccumStorage storage) { return format_of(storage).name; }
+
+int bits_of(AccumStorage storage) { return format_of(storage).bits; }
+
+AccumStorage accum_storage_named(std::string_view name) {
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    if (name == formats[i].name) return static_cast<AccumStorage>(i);
+  }
+  throw InputError(
+      "the accumulation buffer's storage is snorm8, snorm16, float16 or float32, not " +
+      std::string(name));
+}
+
+Accumulation::Accumulation(const Functions& gl, CallContext& context, const MainFrame& frame,
+                           ProgramCache& programs)
+    : gl_(gl), context_(context), frame_(frame), programs_(programs) {}
+
+Accumulation::~Accumulation() {
+  release();
+  if (table_) gl_.DeleteTextures.unrecorded(1, {&table_, 1});
+  if (vertex_array_) gl_.DeleteVertexArrays.unrecorded(1, {&vertex_array_, 1});
+}
+
+void Accumulation::release() {
+  if (!textures_[0]) return;
+  gl_.DeleteFramebuffers.unrecorded(2, framebuffers_);
+  gl_.DeleteTextures.unrecorded(2, textures_);
+  textures_ = {};
+  framebuffers_ = {};
+}
+
+void Accumulation::choose(AccumStorage storage) {
+  if (storage == storage_) return;
+  storage_ = storage;
+  release();
+}
+
+void Accumulation::begin_frame() {
+  choose(AccumStorage::snorm16);
+  clear_value_ = {};
+}
+
+// Called within a SavedState, whose texture units it uses.
+void Accumulation::allocate() {
+  if (textures_[0]) return;
+  if (!vertex_array_) gl_.GenVertexArrays.unrecorded(1, {&vertex_array_, 1});
+  const StorageFormat& format = format_of(storage_);
+  gl_.GenTextures.unrecorded(2, textures_);
+  gl_.GenFramebuffers.unrecorded(2, framebuffers_);
+  for (std::size_t i = 0; i < 2; ++i) {
+    gl_.BindTexture.unrecorded(GL_TEXTURE_2D, textures_[i]);
+    gl_.TexImage2D.unrecorded(GL_TEXTURE_2D, 0, format.internal, frame_.width(), frame_.height(), 0,
+                              format.format, format.type, {});
+    gl_.TexParameteri.unrecorded(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.TexParameteri.unrecorded(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl_.BindFramebuffer.unrecorded(GL_FRAMEBUFFER, framebuffers_[i]);
+    gl_.FramebufferTexture2D.unrecorded(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                        textures_[i], 0);
+    if (integral()) {
+      gl_.ClearBufferiv.unrecorded(GL_COLOR, 0, std::array<GLint, 4>{});
+    } else {
+      gl_.ClearBufferfv.unrecorded(GL_COLOR, 0, std::array<GLfloat, 4>{});
+    }
+  }
+  current_ = 0;
+}
+
+void Accumulation::clear() {
+  const Untraced untraced(context_);
+  const SavedState saved(gl_);
+  allocate();
+  gl_.BindFramebuffer.unrecorded(GL_FRAMEBUFFER, framebuffers_[current_]);
+  if (const auto box = saved.scissor()) {
+    gl_.Enable.unrecorded(GL_SCISSOR_TEST);
+    gl_.Scissor.unrecorded((*box)[0], (*box)[1], (*box)[2], (*box)[3]);
+  }
+  if (integral()) {
+    std::array<GLint, 4> value{};
+    const auto one = static_cast<float>(format_of(storage_).half - 1);
+    for (std::size_t i = 0; i < 4; ++i) {
+      value[i] = truncated(std::fmax(-1.0f, std::fmin(1.0f, clear_value_[i])) * one);
+    }
+    gl_.ClearBufferiv.unrecorded(GL_COLOR, 0, value);
+  } else {
+    gl_.ClearBufferfv.unrecorded(GL_COLOR, 0, clear_value_);
+  }
+  gl_.Disable.unrecorded(GL_SCISSOR_TEST);
+}
+
+void Accumulation::run(GLenum operation, GLfloat value) {
+  const Untraced untraced(context_);
+  const SavedState saved(gl_);
+  if (saved.draw_framebuffer() != context_.main_frame ||
+      saved.read_framebuffer() != context_.main_frame) {
+    throw InputError(
+        "only the main frame has an accumulation buffer; call "
+        "gl.BindFramebuffer(gl.FRAMEBUFFER, 0) first");
+  }
+  allocate();
+  gl_.BindVertexArray.unrecorded(vertex_array_);
+  const std::array<GLint, 4> box =
+      saved.scissor().value_or(std::array<GLint, 4>{0, 0, frame_.width(), frame_.height()});
+  if (operation == GL_RETURN) {
+    const auto mask = saved.color_mask();
+    gl_.ColorMask.unrecorded(mask[0], mask[1], mask[2], mask[3]);
+    gl_.Enable.unrecorded(GL_SCISSOR_TEST);
+    gl_.Scissor.unrecorded(box[0], box[1], box[2], box[3]);
+    give_back(value);
+    gl_.Disable.unrecorded(GL_SCISSOR_TEST);
+  } else {
+    accumulate(operation, value, box);
+  }
+}
+
+void Accumulation::upload_table(GLfloat value) {
+  const float scale = value * static_cast<float>(format_of(storage_).half - 1);
+  const int mask = 2 * format_of(storage_).half - 1;
+  std::array<GLint, 256> added{};
+  for (int c = 0; c < 256; ++c) {
+    const float color = static_cast<float>(c) / 255.0f;
+    added[static_cast<std::size_t>(c)] =
+        ((truncated(color * scale) + format_of(storage_).half) & mask) - format_of(storage_).half;
+  }
+  const bool created = table_ == 0;
+  if (created) gl_.GenTextures.unrecorded(1, {&table_, 1});
+  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, table_);
+  gl_.TexImage2D.unrecorded(GL_TEXTURE_2D, 0, GL_R32I, 256, 1, 0, GL_RED_INTEGER, GL_INT,
+                            std::as_bytes(std::span(added)));
+  if (!created) return;
+  gl_.TexParameteri.unrecorded(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_.TexParameteri.unrecorded(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void Accumulation::accumulate(GLenum operation, GLfloat value, std::array<GLint, 4> box) {
+  const int step = operation == GL_ACCUM  ? 0
+                   : operation == GL_LOAD ? 1
+                   : operation == GL_ADD  ? 2
+                                          : 3;
+  const auto one = static_cast<float>(format_of(storage_).half - 1);
+  gl_.BindFramebuffer.unrecorded(GL_FRAMEBUFFER, framebuffers_[1 - current_]);
+  gl_.Viewport.unrecorded(0, 0, frame_.width(), frame_.height());
+  gl_.ActiveTexture.unrecorded(GL_TEXTURE2);
+  GLint third = 0;
+  gl_.GetIntegerv.unrecorded(GL_TEXTURE_BINDING_2D, {&third, 1});
+  if (integral() && step < 2) upload_table(value);
+  gl_.ActiveTexture.unrecorded(GL_TEXTURE1);
+  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, frame_.color());
+  gl_.ActiveTexture.unrecorded(GL_TEXTURE0);
+  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, textures_[current_]);
+  draw({{"accumulation", triangle_over_all},
+        {"accumulation", integral() ? integer_step : float_step},
+        {}},
+       {{"accumulated", {0}},
+        {"color", {1}},
+        {"table", {2}},
+        {"operation", {static_cast<double>(step)}},
+        {"bias", {static_cast<double>(truncated(value * one))}},
+        {"factor", {value}},
+        {"half_range", {static_cast<double>(format_of(storage_).half)}},
+        {"box", {box.begin(), box.end()}}});
+  gl_.ActiveTexture.unrecorded(GL_TEXTURE2);
+  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, static_cast<GLuint>(third));
+  current_ = 1 - current_;
+}
+
+void Accumulation::give_back(GLfloat value) {
+  const float one = integral() ? static_cast<float>(format_of(storage_).half - 1) : 1.0f;
+  gl_.Viewport.unrecorded(0, 0, frame_.width(), frame_.height());
+  gl_.ActiveTexture.unrecorded(GL_TEXTURE0);
+  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, textures_[current_]);
+  draw({{"accumulation", triangle_over_all}, {"accumulation", give_back_text(integral())}, {}},
+       {{"accumulated", {0}}, {"factor", {value / one}}});
+}
+
+void Accumulation::draw(const ProgramSource& source, const Values& values) {
+  Shader shader(programs_.get(source));
+  for (const auto& [name, components] : values) {
+    // The float steps have fewer uniforms than the integer one.
+    if (const Uniform* uniform = shader.program().find(name)) shader.set(*uniform, components);
+  }
+  shader.use();
+  gl_.DrawArrays.unrecorded(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace shadowlab::gl

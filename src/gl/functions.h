@@ -1,0 +1,128 @@
+// The table of GL's functions, loaded from the current context, and the one way to call them.
+//
+// Several libraries in one process may export the same gl* symbols (libGL and libOSMesa do), so
+// nothing of ours links to GL: every call goes through a table that its context filled.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "gl/kinds.h"
+#include "gl/recorder.h"
+
+#ifndef APIENTRY
+#define APIENTRY
+#endif
+
+namespace shadowlab::gl {
+
+/// One number for each function, in the order of functions.def.
+enum class FunctionId : std::uint16_t {
+#define SHADOWLAB_GL(result, name, ...) name,
+#define SHADOWLAB_GL_OWN SHADOWLAB_GL
+#define SHADOWLAB_GL_CORE SHADOWLAB_GL
+#include "gl/functions.def"
+#undef SHADOWLAB_GL
+#undef SHADOWLAB_GL_OWN
+#undef SHADOWLAB_GL_CORE
+  count
+};
+
+/// What every function of a table shares.
+struct CallContext {
+  Recorder* recorder = nullptr;
+  GLuint main_frame = 0;  ///< the framebuffer object that 0 stands for
+};
+
+/// While it lives, calls leave no trace: for what the core draws on its own account.
+class Untraced {
+ public:
+  explicit Untraced(CallContext& context) : context_(context), before_(context.recorder) {
+    context.recorder = nullptr;
+  }
+  ~Untraced() { context_.recorder = before_; }
+  Untraced(const Untraced&) = delete;
+  Untraced& operator=(const Untraced&) = delete;
+
+ private:
+  CallContext& context_;
+  Recorder* before_;
+};
+
+/// One GL function: call it as GL's own. The main frame is 0, its colour buffer GL_BACK.
+template <FunctionId Id, class Result, class... Kinds>
+class Function {
+ public:
+  using Pointer = RawOf<Result>(APIENTRY*)(RawOf<Kinds>...);
+  static constexpr FunctionId id = Id;
+  static constexpr std::size_t arity = sizeof...(Kinds);
+
+  RawOf<Result> operator()(CppOf<Kinds>... arguments) const {
+    if constexpr (std::is_void_v<RawOf<Result>>) {
+      unrecorded(arguments...);
+      record(arguments...);
+    } else {
+      const auto result = unrecorded(arguments...);
+      record(arguments...);
+      return result;
+    }
+  }
+
+  /// The same without a trace: for what the core does on its own account.
+  RawOf<Result> unrecorded(CppOf<Kinds>... arguments) const {
+    return pointer(Traits<Kinds>::lower(arguments, shared->main_frame)...);
+  }
+
+  /// A trace without the call: for what the core does in GL's place.
+  void record(CppOf<Kinds>... arguments) const {
+    if (Recorder* recorder = shared->recorder) [[unlikely]] {
+      recorder->record<Kinds...>(static_cast<std::uint16_t>(Id), arguments...);
+    }
+  }
+
+  explicit operator bool() const { return pointer != nullptr; }
+
+  Pointer pointer = nullptr;
+  const CallContext* shared = nullptr;
+};
+
+struct Functions {
+#define SHADOWLAB_GL(result, name, parameters, ...) \
+  Function<FunctionId::name, result __VA_OPT__(, ) __VA_ARGS__> name;
+#define SHADOWLAB_GL_OWN SHADOWLAB_GL
+#define SHADOWLAB_GL_CORE SHADOWLAB_GL
+#include "gl/functions.def"
+#undef SHADOWLAB_GL
+#undef SHADOWLAB_GL_OWN
+#undef SHADOWLAB_GL_CORE
+
+  /// Fills the table; `loader` maps "glEnable" to the current context's function, or null.
+  /// Functions younger than OpenGL 3.3 stay null where the context's version (major × 10 + minor)
+  /// is under 45: some loaders answer for functions that their context does not have. Throws
+  /// MachineError where the context lacks what 3.3 has.
+  void load(const std::function<void (*(const char*))()>& loader, int version,
+            const CallContext* shared);
+};
+
+/// What is known of a function beside its pointer.
+struct FunctionDescription {
+  std::string_view name;        ///< "StencilFunc"
+  std::string_view c_name;      ///< "glStencilFunc"
+  std::string_view parameters;  ///< "func, ref, mask"
+  enum class Use { plain, own, core } use;
+  std::string_view result;  ///< the kind's name, "Nothing" for none
+  std::string_view kinds;   ///< "CompareFunction, Int, Mask"
+  std::string (*const* formatters)(std::uint64_t, std::span<const std::byte>);
+  std::size_t arity;
+};
+
+std::span<const FunctionDescription> function_descriptions();
+const FunctionDescription& describe(FunctionId id);
+
+/// The name of parameter `index` (0-based): "mask".
+std::string_view parameter_name(const FunctionDescription& function, std::size_t index);
+
+}  // namespace shadowlab::gl

@@ -1,0 +1,62 @@
+#include "gl/graphics.h"
+
+#include "gl/state.h"
+
+namespace shadowlab::gl {
+namespace {
+
+Functions loaded(const context::Context& context, const CallContext* calls) {
+  Functions functions;
+  functions.load([&](const char* name) { return context.function(name); },
+                 context.major * 10 + context.minor, calls);
+  return functions;
+}
+
+}  // namespace
+
+Graphics::Graphics(context::Context context, int width, int height)
+    : context_(std::move(context)),
+      gl(loaded(context_, &calls_)),
+      frame(gl, calls_, width, height),
+      programs(gl),
+      accumulation(gl, calls_, frame, programs),
+      meshes(gl, calls_) {
+  begin_frame();
+}
+
+Graphics::~Graphics() {
+  context_.make_current();
+  objects.clear(gl);
+}
+
+void Graphics::begin_frame() {
+  const Untraced untraced(calls_);
+  reset_state(gl, frame.width(), frame.height());
+  vertices.unbind();
+  accumulation.begin_frame();
+  std::erase_if(shaders_, [](const std::weak_ptr<Shader>& shader) { return shader.expired(); });
+  for (const auto& weak : shaders_) {
+    if (const auto shader = weak.lock()) shader->begin_frame();
+  }
+}
+
+std::shared_ptr<Shader> Graphics::make_shader(const ProgramSource& source) {
+  auto shader = std::make_shared<Shader>(programs.get(source));
+  shaders_.push_back(shader);
+  return shader;
+}
+
+void Graphics::keep_uniforms() {
+  for (const auto& weak : shaders_) {
+    if (const auto shader = weak.lock()) shader->keep_values();
+  }
+}
+
+void Graphics::forget_recipe() {
+  begin_frame();
+  objects.clear(gl);
+  vertices.clear();
+  meshes.sweep();
+}
+
+}  // namespace shadowlab::gl

@@ -1,0 +1,270 @@
+#include "gl/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace shadowlab::gl {
+namespace {
+
+struct TypeShape {
+  GLenum type;
+  std::size_t components;
+  bool floating;
+};
+
+TypeShape shape_of(GLenum type) {
+  static constexpr TypeShape shapes[] = {
+      {GL_FLOAT, 1, true},        {GL_FLOAT_VEC2, 2, true}, {GL_FLOAT_VEC3, 3, true},
+      {GL_FLOAT_VEC4, 4, true},   {GL_FLOAT_MAT2, 4, true}, {GL_FLOAT_MAT3, 9, true},
+      {GL_FLOAT_MAT4, 16, true},  {GL_INT, 1, false},       {GL_INT_VEC2, 2, false},
+      {GL_INT_VEC3, 3, false},    {GL_INT_VEC4, 4, false},  {GL_BOOL, 1, false},
+      {GL_BOOL_VEC2, 2, false},   {GL_BOOL_VEC3, 3, false}, {GL_BOOL_VEC4, 4, false},
+      {GL_UNSIGNED_INT, 1, false}};
+  for (const TypeShape& shape : shapes) {
+    if (shape.type == type) return shape;
+  }
+  return {type, 1, false};  // samplers: the number of a texture unit
+}
+
+std::string log_of(const Functions& gl, GLuint name, bool is_program) {
+  std::vector<GLchar> log(16384);
+  GLsizei length = 0;
+  const auto size = static_cast<GLsizei>(log.size());
+  if (is_program) {
+    gl.GetProgramInfoLog.unrecorded(name, size, {&length, 1}, log);
+  } else {
+    gl.GetShaderInfoLog.unrecorded(name, size, {&length, 1}, log);
+  }
+  return {log.data(), static_cast<std::size_t>(length)};
+}
+
+// A GL object that is deleted unless it is released.
+class Guard {
+ public:
+  Guard(const Functions& gl, GLuint shader) : gl_(gl), shader_(shader) {}
+  ~Guard() { gl_.DeleteShader.unrecorded(shader_); }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+  GLuint name() const { return shader_; }
+
+ private:
+  const Functions& gl_;
+  GLuint shader_;
+};
+
+std::unique_ptr<Guard> compile(const Functions& gl, GLenum stage, const StageSource& source) {
+  auto shader = std::make_unique<Guard>(gl, gl.CreateShader.unrecorded(stage));
+  const char* text = source.text.data();
+  const auto length = static_cast<GLint>(source.text.size());
+  gl.ShaderSource.unrecorded(shader->name(), 1, {&text, 1}, {&length, 1});
+  gl.CompileShader.unrecorded(shader->name());
+  GLint compiled = 0;
+  gl.GetShaderiv.unrecorded(shader->name(), GL_COMPILE_STATUS, {&compiled, 1});
+  if (!compiled)
+    throw InputError(first_shader_error(log_of(gl, shader->name(), false), source.name));
+  return shader;
+}
+
+}  // namespace
+
+std::size_t Uniform::words() const {
+  return shape_of(type).components * static_cast<std::size_t>(count);
+}
+
+bool Uniform::floating() const { return shape_of(type).floating; }
+
+Program::Program(const Functions& gl, const ProgramSource& source) : gl_(gl) {
+  const auto vertex = compile(gl, GL_VERTEX_SHADER, source.vertex);
+  const auto fragment = compile(gl, GL_FRAGMENT_SHADER, source.fragment);
+  const auto geometry =
+      source.geometry ? compile(gl, GL_GEOMETRY_SHADER, *source.geometry) : nullptr;
+  name_ = gl.CreateProgram.unrecorded();
+  for (const Guard* shader : {vertex.get(), fragment.get(), geometry.get()}) {
+    if (shader) gl.AttachShader.unrecorded(name_, shader->name());
+  }
+  gl.LinkProgram.unrecorded(name_);
+  GLint linked = 0;
+  gl.GetProgramiv.unrecorded(name_, GL_LINK_STATUS, {&linked, 1});
+  if (!linked) {
+    std::string log = log_of(gl, name_, true);
+    gl.DeleteProgram.unrecorded(name_);
+    throw InputError(fmt::format("{} and {} do not link: {}", source.vertex.name,
+                                 source.fragment.name, log.substr(0, log.find('\n'))));
+  }
+  for (const StageSource* stage :
+       {&source.vertex, &source.fragment, source.geometry ? &*source.geometry : nullptr}) {
+    if (!stage) continue;
+    for (std::string& name : declared_uniforms(stage->text)) {
+      if (std::find(declared_.begin(), declared_.end(), name) == declared_.end()) {
+        declared_.push_back(std::move(name));
+      }
+    }
+  }
+  reflect();
+}
+
+Program::~Program() {
+  if (name_) gl_.DeleteProgram.unrecorded(name_);
+}
+
+void Program::reflect() {
+  GLint active = 0;
+  gl_.GetProgramiv.unrecorded(name_, GL_ACTIVE_UNIFORMS, {&active, 1});
+  for (GLuint i = 0; i < static_cast<GLuint>(active); ++i) {
+    std::array<GLchar, 256> text{};
+    GLsizei length = 0;
+    Uniform uniform;
+    gl_.GetActiveUniform.unrecorded(name_, i, text.size(), {&length, 1}, {&uniform.count, 1},
+                                    {&uniform.type, 1}, text);
+    uniform.name.assign(text.data(), static_cast<std::size_t>(length));
+    if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);
+    if (uniform.name.starts_with("gl_")) continue;
+    uniform.location = gl_.GetUniformLocation.unrecorded(name_, uniform.name.c_str());
+    uniform.first = initial_.size();
+    initial_.resize(initial_.size() + uniform.words());
+    const std::size_t each = uniform.words() / static_cast<std::size_t>(uniform.count);
+    for (GLint k = 0; k < uniform.count; ++k) {
+      const std::string element = k == 0 ? uniform.name : fmt::format("{}[{}]", uniform.name, k);
+      const GLint location = gl_.GetUniformLocation.unrecorded(name_, element.c_str());
+      std::uint32_t* words = initial_.data() + uniform.first + static_cast<std::size_t>(k) * each;
+      if (uniform.floating()) {
+        std::array<GLfloat, 16> values{};
+        gl_.GetUniformfv.unrecorded(name_, location, values);
+        std::memcpy(words, values.data(), each * sizeof(GLfloat));
+      } else {
+        std::array<GLint, 16> values{};
+        gl_.GetUniformiv.unrecorded(name_, location, values);
+        std::memcpy(words, values.data(), each * sizeof(GLint));
+      }
+    }
+    uniforms_.push_back(std::move(uniform));
+  }
+}
+
+const Uniform* Program::find(std::string_view uniform) const {
+  for (const Uniform& candidate : uniforms_) {
+    if (candidate.name == uniform) return &candidate;
+  }
+  return nullptr;
+}
+
+bool Program::declares(std::string_view uniform) const {
+  return std::find(declared_.begin(), declared_.end(), uniform) != declared_.end();
+}
+
+namespace {
+
+void send(const Functions& gl, const Uniform& uniform, const std::uint32_t* words) {
+  const std::size_t n = uniform.words();
+  const std::span floats(reinterpret_cast<const GLfloat*>(words), n);
+  const std::span ints(reinterpret_cast<const GLint*>(words), n);
+  const GLint at = uniform.location;
+  const GLsizei count = uniform.count;
+  switch (uniform.type) {
+    case GL_FLOAT:
+      count == 1 ? gl.Uniform1f(at, floats[0]) : gl.Uniform1fv(at, count, floats);
+      break;
+    case GL_FLOAT_VEC2:
+      gl.Uniform2fv(at, count, floats);
+      break;
+    case GL_FLOAT_VEC3:
+      gl.Uniform3fv(at, count, floats);
+      break;
+    case GL_FLOAT_VEC4:
+      gl.Uniform4fv(at, count, floats);
+      break;
+    case GL_FLOAT_MAT2:
+      gl.UniformMatrix2fv(at, count, GL_FALSE, floats);
+      break;
+    case GL_FLOAT_MAT3:
+      gl.UniformMatrix3fv(at, count, GL_FALSE, floats);
+      break;
+    case GL_FLOAT_MAT4:
+      gl.UniformMatrix4fv(at, count, GL_FALSE, floats);
+      break;
+    case GL_INT_VEC2:
+    case GL_BOOL_VEC2:
+      gl.Uniform2i(at, ints[0], ints[1]);
+      break;
+    case GL_INT_VEC3:
+    case GL_BOOL_VEC3:
+      gl.Uniform3i(at, ints[0], ints[1], ints[2]);
+      break;
+    case GL_INT_VEC4:
+    case GL_BOOL_VEC4:
+      gl.Uniform4i(at, ints[0], ints[1], ints[2], ints[3]);
+      break;
+    case GL_UNSIGNED_INT:
+      gl.Uniform1ui(at, words[0]);
+      break;
+    default:
+      count == 1 ? gl.Uniform1i(at, ints[0]) : gl.Uniform1iv(at, count, ints);
+      break;
+  }
+  if (gl.Uniform1i.shared->recorder) gl.Uniform1i.shared->recorder->comment(uniform.name);
+}
+
+}  // namespace
+
+void Program::use(const UniformValues& values) {
+  gl_.UseProgram(name_);
+  for (const Uniform& uniform : uniforms_) {
+    const std::uint32_t* words = values.data() + uniform.first;
+    const bool same =
+        sent_ && std::equal(words, words + uniform.words(), sent_->data() + uniform.first);
+    if (!same) send(gl_, uniform, words);
+  }
+  sent_ = values;
+}
+
+Shader::Shader(std::shared_ptr<Program> program)
+    : program_(std::move(program)), values_(program_->initial()), kept_(values_) {}
+
+void Shader::set(const Uniform& uniform, std::span<const double> components) {
+  const std::size_t words = uniform.words();
+  const std::size_t each = words / static_cast<std::size_t>(uniform.count);
+  if (components.empty() || components.size() > words || components.size() % each != 0) {
+    throw InputError(fmt::format(
+        "uniform {} takes {} number{}{}; {} given", uniform.name, each, each == 1 ? "" : "s",
+        uniform.count > 1 ? fmt::format(" for each of {}", uniform.count) : "", components.size()));
+  }
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const double value = components[i];
+    std::uint32_t& word = values_[uniform.first + i];
+    if (uniform.floating()) {
+      const auto single = static_cast<GLfloat>(value);
+      if (!std::isfinite(single)) {
+        throw InputError(fmt::format("uniform {} would be {}, which is not a finite float",
+                                     uniform.name, value));
+      }
+      std::memcpy(&word, &single, sizeof word);
+    } else {
+      if (value != std::floor(value) || value < -2147483648.0 || value > 4294967295.0) {
+        throw InputError(fmt::format("uniform {} takes an integer; {} given", uniform.name, value));
+      }
+      word = static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+    }
+  }
+}
+
+void Shader::begin_frame() {
+  values_ = kept_;
+  program_->forget_values();
+}
+
+std::shared_ptr<Program> ProgramCache::get(const ProgramSource& source) {
+  std::string key = source.vertex.text + '\0' + source.fragment.text;
+  if (source.geometry) key += '\0' + source.geometry->text;
+  auto found = programs_.find(key);
+  if (found == programs_.end()) {
+    found = programs_.emplace(std::move(key), std::make_shared<Program>(gl_, source)).first;
+  }
+  return found->second;
+}
+
+}  // namespace shadowlab::gl
