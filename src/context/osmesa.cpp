@@ -84,4 +84,6 @@ std::unique_ptr<Native> make_osmesa(Size size) { return std::make_unique<OsMesa>
 #ifdef __SANITIZE_ADDRESS__
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif

@@ -9,7 +9,8 @@
 
 namespace shadowlab::image {
 
-/// 8-bit RGBA, rows from the top, as a PNG has them. (GL's rows start at the bottom: gl/ turns them.)
+/// 8-bit RGBA, rows from the top, as a PNG has them. (GL's rows start at the bottom: gl/ turns
+/// them.)
 struct Image {
   int width = 0;
   int height = 0;
