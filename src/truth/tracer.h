@@ -105,13 +105,13 @@ class Tracer {
                             int height, const Sampling& sampling = {}, int threads = 0) const;
 
   /// Pixels where a rasteriser may rightly differ: those that have, within one pixel (the square of
-  /// side 2 around the pixel's centre), a hard-shadow edge of `light` or an edge between two
+  /// side 2 around the pixel's centre), an edge of `light`'s hard shadow or an edge between two
   /// visible sheets. Found on the lattice of `per_pixel` points a pixel and axis that contains all
   /// pixel centres: a pixel is marked when two lattice points in its square differ in visibility,
   /// or two neighbouring ones lie on different sheets (different objects, or triangles of one
-  /// object that neither share a vertex nor meet within what their slopes explain). A terminator of
-  /// a faceted closed caster is a shadow edge too. 1 where marked, 0 elsewhere. Area lights: the
-  /// edges of their centre's hard shadow.
+  /// object whose depths differ by more than the slopes of both explain). The terminator of a
+  /// faceted closed caster is a shadow edge too. What is narrower than the lattice may be missed. 1
+  /// where marked, 0 elsewhere. Area lights: the edges of their centre's hard shadow.
   image::FloatImage edge_mask(const scene::Camera& camera, const scene::Light& light, int width,
                               int height, int per_pixel = 4, int threads = 0) const;
 
