@@ -87,29 +87,35 @@ std::span<const double> numbers(const T& value) {
 /// "vec3(1, 2.5, 3)": a constructor and its numbers, as a script would write them.
 std::string call_text(const char* constructor, std::span<const double> numbers);
 
+/// The power of two below the largest component, by which dividing is exact; 1 where that component
+/// is 0 or not finite.
+template <class T>
+double binade(const T& value) {
+  double largest = 0;
+  for (const double number : numbers(value)) largest = std::fmax(largest, std::fabs(number));
+  return largest > 0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+}
+
 /// The length of a vector or quaternion, without overflow or underflow on the way.
 template <class T>
 double length_of(const T& value) {
-  const double squared = glm::dot(value, value);
-  if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);
-  double largest = 0;
-  for (const double number : numbers(value)) largest = std::fmax(largest, std::fabs(number));
-  if (largest == 0 || !std::isfinite(largest)) return squared == 0 ? 0 : squared;
-  const T scaled = value / largest;
-  return largest * std::sqrt(glm::dot(scaled, scaled));
+  const double scale = binade(value);
+  const T scaled = value / scale;
+  return scale * std::sqrt(glm::dot(scaled, scaled));
 }
 
 /// The vector or quaternion of length 1. Throws InputError, from `function`, where `value` has no
 /// direction; `what` is the value in that sentence: "the axis".
 template <class T>
 T unit(const T& value, const Function& function, const char* what) {
-  const double length = length_of(value);
+  const T scaled = value / binade(value);
+  const double length = std::sqrt(glm::dot(scaled, scaled));
   if (length == 0) function.refuse(std::string(what) + " has length 0, so it has no direction");
   if (!std::isfinite(length)) {
     function.refuse(std::string(what) + " has length " + text(length) +
                     ", so it has no direction; make its components finite");
   }
-  return value / length;
+  return scaled / length;
 }
 
 }  // namespace shadowlab::lua

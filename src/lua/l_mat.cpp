@@ -41,7 +41,7 @@ int construct(lua_State* L) {
   } else if (const auto* m4 = test<dmat4>(L, 2)) {
     push(L, M(*m4));
   } else {
-    push(L, argument<M>(L, 2, named<M>("the constructor")));
+    push(L, read<M>(L, 2, ("argument 1 of " + std::string(constructor)).c_str()));
   }
   return 1;
 }
@@ -79,8 +79,8 @@ glm::length_t place(lua_State* L, const Function& f) {
   for (glm::length_t k = 0; k < size<M>; ++k) {
     if (i == k + 1) return k;
   }
-  f.refuse("a " + std::string(name(KindOf<M>::value)) + " has 1 to " + std::to_string(size<M>) +
-           "; there is no " + text(i));
+  f.refuse("a " + std::string(name(KindOf<M>::value)) + " has " + f.name + "s 1 to " +
+           std::to_string(size<M>) + "; there is no " + f.name + " " + text(i));
 }
 
 template <class M>
@@ -213,8 +213,9 @@ constexpr Entry shared[] = {
     {"__tostring", "tostring(m)",
      "The matrix row by row, as it is written on paper, in as many digits as tell it apart.",
      guarded<to_string<M>>},
-    {"identity", "mat.identity()", "The matrix that changes nothing.", guarded<identity<M>>},
-    {"rows", "mat.rows(...)",
+    {"identity", size<M> == 3 ? "mat3.identity()" : "mat4.identity()",
+     "The matrix that changes nothing.", guarded<identity<M>>},
+    {"rows", size<M> == 3 ? "mat3.rows(...)" : "mat4.rows(...)",
      "A matrix from its elements row by row, as it is written on paper; or from its rows as "
      "vectors.",
      guarded<rows<M>>},

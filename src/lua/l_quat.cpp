@@ -13,7 +13,7 @@ constexpr Function named(const char* name) { return {Kind::quat, name}; }
 
 int construct(lua_State* L) {
   if (lua_gettop(L) == 2 && lua_type(L, 2) == LUA_TTABLE) {
-    push(L, argument<dquat>(L, 2, named("the constructor")));
+    push(L, read<dquat>(L, 2, "argument 1 of quat"));
     return 1;
   }
   double wxyz[4];

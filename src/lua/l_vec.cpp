@@ -45,7 +45,7 @@ int construct(lua_State* L) {
   } else if (const auto* v = test<glm::dvec3>(L, 2); v && size<V> < 3) {
     std::ranges::copy(numbers(*v).first(out.size()), out.begin());
   } else if (lua_type(L, 2) == LUA_TTABLE) {
-    push(L, argument<V>(L, 2, named<V>("the constructor")));
+    push(L, read<V>(L, 2, ("argument 1 of " + std::string(name(KindOf<V>::value))).c_str()));
     return 1;
   } else {
     gather(L, 2, name(KindOf<V>::value), out);

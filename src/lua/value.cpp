@@ -93,9 +93,11 @@ void set_text(lua_State* L, const char* field, const char* text) {
 /// vec3.lenght: reading what a module does not have. Upvalue 1 is the kind.
 int unknown_in_module(lua_State* L) {
   const Kind kind = static_cast<Kind>(lua_tointeger(L, lua_upvalueindex(1)));
-  const std::string field = field_name(L, 2);
-  throw InputError(std::string(name(kind)) + "." + field + " does not exist" +
-                   did_you_mean(field, function_names(kind)));
+  const std::string module = name(kind), field = field_name(L, 2);
+  const auto nearest = nearest_name(field, function_names(kind));
+  throw InputError(
+      module + "." + field + " does not exist" +
+      (nearest ? "; did you mean " + module + "." + std::string(*nearest) + "?" : std::string()));
 }
 
 void open_module(lua_State* L, Kind kind, const Module& module) {
