@@ -201,6 +201,11 @@ TEST_F(Values, cpp_refuses_what_is_not_the_value) {
   EXPECT_EQ(refusal("{1, '2', 3}"), must + "a table whose element 2 is a string");
   EXPECT_EQ(refusal("{x = 1, y = 2, w = 3}"), must + "a table whose z is nil");
   EXPECT_EQ(refusal("{x = 1, y = 2, z = 3, w = 4}"), must + "a table of more than 3 elements");
+  // What only a metamethod would give is not there.
+  EXPECT_EQ(refusal("setmetatable({x = 1, y = 2, w = 3}, {__index = {z = 3}})"),
+            must + "a table whose z is nil");
+  EXPECT_EQ(refusal("setmetatable({1, 2, w = 3}, {__index = {[3] = 3}})"),
+            must + "a table whose element 3 is nil");
   EXPECT_EQ(refusal("io.stdout"), must + "a FILE*");
 }
 
