@@ -17,35 +17,39 @@ static_assert(block_pixels * 3 * 255 * 255 < 0xFFFFFFFFu);
 
 using Block = std::array<std::uint8_t, 4 * block_pixels>;
 
-// |a - b| in red, green and blue, 0 in alpha.
+constexpr Block rgb_mask = [] {
+  Block mask{};
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i % 4 == 3 ? 0 : 255;
+  return mask;
+}();
+
+// |a - b| in red, green and blue; 0 in alpha and beyond `pixels`.
 void subtract(const std::uint8_t* a, const std::uint8_t* b, std::size_t pixels, Block& difference) {
+  if (pixels < block_pixels) difference.fill(0);
   for (std::size_t i = 0; i < 4 * pixels; ++i) {
     difference[i] = static_cast<std::uint8_t>(std::max(a[i], b[i]) - std::min(a[i], b[i]));
   }
-  for (std::size_t i = 3; i < 4 * pixels; i += 4) difference[i] = 0;
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] &= rgb_mask[i];
 }
 
-std::uint32_t sum_of_squares(const Block& difference, std::size_t pixels) {
+std::uint32_t sum_of_squares(const Block& difference) {
   std::uint32_t sum = 0;
-  for (std::size_t i = 0; i < 4 * pixels; ++i) {
-    const auto d = static_cast<std::uint16_t>(difference[i]);
-    sum += static_cast<std::uint16_t>(d * d);
-  }
+  for (const std::uint8_t d : difference) sum += static_cast<std::uint16_t>(d * d);
   return sum;
 }
 
-std::uint8_t largest(const Block& difference, std::size_t pixels) {
+std::uint8_t largest(const Block& difference) {
   std::uint8_t most = 0;
-  for (std::size_t i = 0; i < 4 * pixels; ++i) most = std::max(most, difference[i]);
+  for (const std::uint8_t d : difference) most = std::max(most, d);
   return most;
 }
 
-std::size_t count_above(Block& difference, std::size_t pixels, std::uint8_t tolerance) {
-  for (std::size_t i = 0; i < 4 * pixels; ++i) difference[i] = difference[i] > tolerance ? 255 : 0;
+std::size_t count_above(Block& difference, std::uint8_t tolerance) {
+  for (std::uint8_t& d : difference) d = d > tolerance ? 255 : 0;
   std::array<std::uint32_t, block_pixels> words;
-  std::memcpy(words.data(), difference.data(), 4 * pixels);
+  std::memcpy(words.data(), difference.data(), sizeof words);
   std::uint32_t count = 0;
-  for (std::size_t i = 0; i < pixels; ++i) count += words[i] != 0;
+  for (const std::uint32_t word : words) count += word != 0;
   return count;
 }
 
@@ -70,11 +74,11 @@ Difference compare(const Image& a, const Image& b, int tolerance) {
   for (std::size_t first = 0; first < result.pixels; first += block_pixels) {
     const std::size_t pixels = std::min(block_pixels, result.pixels - first);
     subtract(a.rgba.data() + 4 * first, b.rgba.data() + 4 * first, pixels, difference);
-    const int most = largest(difference, pixels);
+    const int most = largest(difference);
     if (most == 0) continue;
-    squares += sum_of_squares(difference, pixels);
+    squares += sum_of_squares(difference);
     result.worst = std::max(result.worst, most);
-    if (most > limit) result.differing += count_above(difference, pixels, limit);
+    if (most > limit) result.differing += count_above(difference, limit);
   }
   if (result.pixels > 0) {
     const double channels = 3.0 * static_cast<double>(result.pixels);

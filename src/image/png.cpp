@@ -139,7 +139,10 @@ Image read_png(const std::filesystem::path& file) {
   }
   // zlib packs at most 1032 bytes into one: a header that promises more comes from no whole file,
   // and is refused before memory is taken for it.
-  if (png_get_rowbytes(reader.png, reader.info) * height / 1032 > bytes.size()) broken(file);
+  if (png_get_rowbytes(reader.png, reader.info) * height / 1032 > bytes.size()) {
+    throw InputError(file.string() + " is a broken PNG: it promises " + std::to_string(width) +
+                     " x " + std::to_string(height) + " pixels and cannot hold them.");
+  }
 
   if (!guarded(reader.png, [&] { ask_for_rgba8(reader); })) broken(file);
   Image image(static_cast<int>(width), static_cast<int>(height));
