@@ -39,19 +39,19 @@ class FacingPlanes {
   static constexpr std::size_t bytes_a_triangle = 4 * sizeof(float);
 
  private:
-  struct FloatLight;
-  FloatLight rounded(glm::dvec4 light) const;
-  template <class Kernel, class Exact>
-  void evaluate(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out, Kernel kernel,
-                Exact exact) const;
-  int exact_sign(std::size_t triangle, glm::dvec4 light) const;
-
   std::vector<glm::vec3> positions_;
   std::vector<scene::Triangle> triangles_;
-  std::vector<float> x_, y_, z_, d_;  // unit normals, and offset / radius_ from center_
+  std::vector<float> x_, y_, z_, d_;  // unit normals n, and n·(center_ - a) / radius_
   glm::dvec3 center_{0};
-  double radius_ = 1;
-  double error_ = 0;  // of d_, beyond the rounding to float
+  double radius_ = 1;      // of a ball around center_ that holds all vertices
+  double coordinate_ = 0;  // no vertex has a greater one
+
+  struct FloatLight {
+    float x, y, z, w, bound;
+  };
+  FloatLight rounded(glm::dvec4 light) const;
+  template <class Sign>
+  void decide(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out, Sign sign) const;
 };
 
 }  // namespace shadowlab::shadow

@@ -18,6 +18,21 @@ struct SilhouetteEdge {
   std::uint32_t multiplicity = 1;
 };
 
+/// What the rules of volume.h ask of a connected component.
+struct Component {
+  glm::dvec3 low{+1e300};  ///< its box
+  glm::dvec3 high{-1e300};
+  bool closed = false;
+  bool inside_out = false;  ///< closed, and its signed volume is negative
+
+  /// Whether its facing triangles alone cast its whole shadow: it is closed and `light`
+  /// (normalized, model space) is outside its box.
+  bool lit_faces_suffice(glm::dvec4 light) const;
+};
+
+/// One for each component of `adjacency`.
+std::vector<Component> components(const scene::Adjacency& adjacency);
+
 /// How often, and which way round, each triangle counts in the caster's chain for `light` (model
 /// space), by the rules of volume.h: +1 where it faces the light, -1 where it faces away, 0 where
 /// the light is in its plane; but of a closed component with the light outside its box only those

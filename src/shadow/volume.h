@@ -27,6 +27,7 @@
 // Opaque and Transparent Nonmanifold Casters, 2008 (signed multiplicity).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -37,6 +38,7 @@
 
 #include "scene/adjacency.h"
 #include "shadow/facing.h"
+#include "shadow/silhouette.h"
 
 namespace shadowlab::shadow {
 
@@ -60,11 +62,10 @@ struct VolumeOptions {
 /// Triangles, counter-clockwise seen from outside the volume, as indices into
 /// `VolumeBuilder::vertices()`. Valid until the builder's next `build`.
 struct VolumeIndices {
-  std::span<const std::uint32_t> all;    ///< sides, then caps: z-fail draws this
-  std::span<const std::uint32_t> sides;  ///< the first part of `all`: z-pass draws this
-  std::span<const std::uint32_t> caps;   ///< the rest
-  std::size_t silhouette_sides = 0;      ///< quads (or triangles) in `sides`
-  std::size_t capped_triangles = 0;
+  std::span<const std::uint32_t> all;        ///< sides, front cap, back cap: z-fail draws this
+  std::span<const std::uint32_t> sides;      ///< the first part of `all`: z-pass draws this
+  std::span<const std::uint32_t> front_cap;  ///< counted triangles, where they are
+  std::span<const std::uint32_t> back_cap;   ///< the same extruded, reversed
 };
 
 /// The volume of one mesh under a moving light. The vertices never change; a light's move writes
@@ -85,36 +86,46 @@ class VolumeBuilder {
   VolumeIndices build(glm::dvec4 light, const VolumeOptions& options = {});
 
   std::size_t triangle_count() const { return planes_.triangles().size(); }
-  /// Bytes that `build` must read and write for what it returned last, for benchmarks.
-  std::size_t streamed_bytes(const VolumeIndices& built) const;
+  std::size_t edge_count() const { return edge_triangles_.size() + knot_vertices_.size(); }
 
  private:
-  struct ClosedComponent {
+  using Index = std::uint32_t;
+  struct ClosedRange {
     std::size_t first, last;  // triangles
-    glm::dvec3 low, high;
+    Component component;
   };
+  void collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
+                     std::span<const std::uint8_t> turned);
   void fill_chain(glm::dvec4 light, Faces faces);
-  std::size_t find_boundary();
-  std::uint32_t* append_sides(std::uint32_t* out, std::size_t found, bool quads) const;
-  std::uint32_t* append_caps(std::uint32_t* out, bool back) const;
+  void summarize_patches();
+  void find_boundary(std::size_t first, std::size_t last);
+  Index* append_sides(Index* out, bool quads);
+  Index* append_cap(Index* out, std::span<const scene::Triangle> cap) const;
 
-  // Triangles of closed components first, each component's together and turned outward.
+  // Triangles of closed components first, each component's together and turned outward. Sixty-four
+  // in a row are a patch: where their coefficients agree there is no boundary inside it, and its
+  // caps are copied or skipped whole.
   FacingPlanes planes_;
+  std::vector<ClosedRange> closed_;
   std::vector<glm::vec4> vertices_;
-  std::vector<ClosedComponent> closed_;
-  std::size_t closed_triangles_ = 0;
+  std::vector<scene::Triangle> front_, back_;  // caps of c = 1, as indices into vertices_
   // An edge of at most two triangles, of opposite directions: its boundary is c[0] - c[1]; a
-  // missing triangle is the one past the end, whose c is 0.
-  std::vector<std::array<std::uint32_t, 2>> edge_triangles_;
-  std::vector<std::array<std::uint32_t, 2>> edge_vertices_;  // doubled indices
-  // All other edges.
-  std::vector<std::array<std::uint32_t, 2>> knot_vertices_;
-  std::vector<std::uint32_t> knot_begin_;
+  // missing triangle is the one past the end, whose c is 0. Edges inside patch i are inner_[i] to
+  // inner_[i + 1]; those between patches follow.
+  std::vector<std::array<Index, 2>> edge_triangles_;
+  std::vector<std::array<Index, 2>> edge_vertices_;
+  std::vector<Index> inner_;
+  // All other edges, whose boundary is a sum over their incidences.
+  std::vector<std::array<Index, 2>> knot_vertices_;
+  std::vector<Index> knot_begin_;
   std::vector<scene::Incidence> knot_incidences_;
-  // Scratch and result, of the worst case's size from the start.
+  // Scratch and result, of the worst case's size from the start; pages that are never written take
+  // no memory.
   std::vector<std::int8_t> chain_;
-  std::unique_ptr<std::uint32_t[]> boundary_;
-  std::unique_ptr<std::uint32_t[]> indices_;
+  std::vector<std::int8_t> patches_;
+  std::unique_ptr<Index[]> boundary_;
+  std::size_t found_ = 0;
+  std::unique_ptr<Index[]> indices_;
 };
 
 /// A volume with its vertices extruded on the CPU, homogeneous, model space; counter-clockwise seen

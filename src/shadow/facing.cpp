@@ -1,0 +1,166 @@
+#include "shadow/facing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "core/error.h"
+#include "scene/exact_sign.h"
+
+// One body compiled for several instruction sets; which one runs cannot be seen in the results,
+// since every sign that is near its bound is decided exactly.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define SHADOWLAB_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define SHADOWLAB_CLONES
+#endif
+
+namespace shadowlab::shadow {
+namespace {
+
+// Triangles decided together: a block with a doubtful one is looked at again.
+constexpr std::size_t block = 512;
+
+struct Planes {
+  const float *x, *y, *z, *d;
+};
+
+/// Whether all n triangles are clear of the bound; out = 1 where lit, else 0.
+SHADOWLAB_CLONES
+bool decide_lit(Planes p, float lx, float ly, float lz, float lw, float bound, std::size_t n,
+                std::int8_t* __restrict out) {
+  int doubtful = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float value = (p.x[i] * lx + p.y[i] * ly) + (p.z[i] * lz + p.d[i] * lw);
+    out[i] = value > bound ? 1 : 0;
+    doubtful |= std::abs(value) > bound ? 0 : 1;
+  }
+  return doubtful == 0;
+}
+
+/// The same; out = 1 where lit, else -1.
+SHADOWLAB_CLONES
+bool decide_sign(Planes p, float lx, float ly, float lz, float lw, float bound, std::size_t n,
+                 std::int8_t* __restrict out) {
+  int doubtful = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float value = (p.x[i] * lx + p.y[i] * ly) + (p.z[i] * lz + p.d[i] * lw);
+    out[i] = value > bound ? 1 : -1;
+    doubtful |= std::abs(value) > bound ? 0 : 1;
+  }
+  return doubtful == 0;
+}
+
+struct LitSign {
+  static constexpr bool only_lit = true;
+  std::int8_t operator()(int sign) const { return sign > 0 ? 1 : 0; }
+};
+struct AnySign {
+  static constexpr bool only_lit = false;
+  std::int8_t operator()(int sign) const { return static_cast<std::int8_t>(sign); }
+};
+
+}  // namespace
+
+glm::dvec4 normalized_light(glm::dvec4 light) {
+  const double largest = std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
+  if (!std::isfinite(largest + std::abs(light.w))) {
+    throw InputError("The light's coordinates are not finite numbers; give it a place.");
+  }
+  if (largest == 0 && light.w == 0) {
+    throw InputError("The light is (0, 0, 0, 0), which is no place and no direction; set w to 1.");
+  }
+  return light.w < 0 ? -light : light;
+}
+
+glm::dvec4 light_in_model_space(const glm::dmat4& model, glm::dvec4 light) {
+  const double determinant = glm::determinant(model);
+  if (!std::isfinite(determinant) || determinant == 0) {
+    throw InputError("The object's model matrix has no inverse; its scale must not be 0.");
+  }
+  return normalized_light(glm::inverse(model) * light);
+}
+
+FacingPlanes::FacingPlanes(std::vector<glm::vec3> positions, std::vector<scene::Triangle> triangles)
+    : positions_(std::move(positions)), triangles_(std::move(triangles)) {
+  const std::size_t count = triangles_.size();
+  for (auto* column : {&x_, &y_, &z_, &d_}) column->resize(count);
+  if (count == 0) return;
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const scene::Triangle& triangle : triangles_) {
+    for (const std::uint32_t vertex : triangle) {
+      low = glm::min(low, glm::dvec3(positions_[vertex]));
+      high = glm::max(high, glm::dvec3(positions_[vertex]));
+    }
+  }
+  center_ = (low + high) * 0.5;
+  radius_ = glm::length(high - low) * 0.5 * (1 + 1e-12);
+  for (int i = 0; i < 3; ++i) coordinate_ = std::max({coordinate_, -low[i], high[i]});
+  for (std::size_t t = 0; t < count; ++t) {
+    const glm::dvec3 a(positions_[triangles_[t][0]]);
+    const glm::dvec3 u = glm::dvec3(positions_[triangles_[t][1]]) - a;
+    const glm::dvec3 v = glm::dvec3(positions_[triangles_[t][2]]) - a;
+    const glm::dvec3 n = glm::cross(u, v);
+    const double length = glm::length(n);
+    // A sliver's normal is lost to cancellation: zero makes it doubtful for every light.
+    if (!(length > 0x1p-20 * glm::length(u) * glm::length(v))) continue;
+    x_[t] = static_cast<float>(n.x / length);
+    y_[t] = static_cast<float>(n.y / length);
+    z_[t] = static_cast<float>(n.z / length);
+    d_[t] = static_cast<float>(glm::dot(n / length, center_ - a) / radius_);
+  }
+}
+
+// The value is (n·l + d w') in units where |l| + w' = 1, with l = (L.xyz - L.w center) / scale and
+// w' = L.w radius / scale. With e = 2^-24 (half an ulp of a float), to first order: the roundings
+// of n, d, l and w' give 2e, evaluation (a product and two sums for each term) 3e, the normal
+// itself (see the sliver test) 2^-29. 16 e holds all that with room. In double, the subtractions of
+// center err by 2^-53 of coordinates that need not be small beside radius and scale.
+FacingPlanes::FloatLight FacingPlanes::rounded(glm::dvec4 light) const {
+  // A power of two first, exactly, so that no square overflows.
+  const double largest =
+      std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z), light.w});
+  light = light * std::ldexp(1.0, -std::ilogb(largest));
+  const glm::dvec3 from_center = glm::dvec3(light) - light.w * center_;
+  const double scale = glm::length(from_center) + light.w * radius_;
+  const double subtracted = (glm::length(glm::dvec3(light)) + 2 * light.w * coordinate_) / scale +
+                            2 * coordinate_ / radius_;
+  const double bound = 16 * 0x1p-24 + 16 * 0x1p-53 * subtracted;
+  const glm::dvec3 l = from_center / scale;
+  return {static_cast<float>(l.x), static_cast<float>(l.y), static_cast<float>(l.z),
+          static_cast<float>(light.w * radius_ / scale), static_cast<float>(bound * (1 + 1e-6))};
+}
+
+template <class Sign>
+void FacingPlanes::decide(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out,
+                          Sign sign) const {
+  const FloatLight l = rounded(light);
+  constexpr bool only_lit = Sign::only_lit;
+  for (std::size_t begin = 0; begin < out.size(); begin += block) {
+    const std::size_t n = std::min(block, out.size() - begin), t = first + begin;
+    const Planes planes{&x_[t], &y_[t], &z_[t], &d_[t]};
+    std::int8_t* const decided = out.data() + begin;
+    const auto kernel = only_lit ? decide_lit : decide_sign;
+    if (kernel(planes, l.x, l.y, l.z, l.w, l.bound, n, decided)) continue;
+    for (std::size_t i = 0; i < n; ++i) {
+      const float value =
+          (planes.x[i] * l.x + planes.y[i] * l.y) + (planes.z[i] * l.z + planes.d[i] * l.w);
+      if (std::abs(value) > l.bound) continue;
+      const auto& [a, b, c] = triangles_[t + i];
+      decided[i] = sign(scene::plane_side(positions_[a], positions_[b], positions_[c], light));
+    }
+  }
+}
+
+void FacingPlanes::lit(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const {
+  decide(light, first, out, LitSign{});
+}
+
+void FacingPlanes::signs(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const {
+  decide(light, first, out, AnySign{});
+}
+
+}  // namespace shadowlab::shadow

@@ -1,0 +1,118 @@
+#include "shadow/zfail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/error.h"
+#include "shadow/facing.h"
+
+namespace shadowlab::shadow {
+namespace {
+
+/// The pyramid from the near rectangle to the light; for a direction, a prism without an end.
+struct Pyramid {
+  std::array<glm::dvec3, 4> base;
+  glm::dvec3 toward{0};  // from any corner toward the light, where that is a direction
+  std::optional<glm::dvec3> apex;
+
+  glm::dvec3 side(std::size_t corner) const { return apex ? *apex - base[corner] : toward; }
+};
+
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void add(double v) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+};
+
+/// The directions that part two convex bodies, one of them bounded, if any does: face normals of
+/// either and products of their edges.
+std::vector<glm::dvec3> parting_directions(const Pyramid& pyramid) {
+  const glm::dvec3 right = pyramid.base[1] - pyramid.base[0];
+  const glm::dvec3 up = pyramid.base[3] - pyramid.base[0];
+  std::vector<glm::dvec3> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::cross(right, up)};
+  std::vector<glm::dvec3> edges{right, up};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec3 side = pyramid.side(i);
+    directions.push_back(glm::cross(i % 2 == 0 ? right : up, side));
+    directions.push_back(glm::cross(i % 2 == 0 ? up : right, side));
+    edges.push_back(side);
+  }
+  for (const glm::dvec3& edge : edges) {
+    directions.push_back({0, -edge.z, edge.y});
+    directions.push_back({edge.z, 0, -edge.x});
+    directions.push_back({-edge.y, edge.x, 0});
+  }
+  return directions;
+}
+
+bool parted(const Pyramid& pyramid, const scene::Bounds& box, glm::dvec3 direction) {
+  Interval a, b;
+  double magnitude = 0;
+  const auto along = [&](glm::dvec3 p) {
+    magnitude = std::max(magnitude, glm::dot(glm::abs(direction), glm::abs(p)));
+    return glm::dot(direction, p);
+  };
+  for (const glm::dvec3& corner : pyramid.base) a.add(along(corner));
+  if (pyramid.apex) {
+    a.add(along(*pyramid.apex));
+  } else {
+    // A product of the rounded edge `toward` may miss being across it by its roundings.
+    const double slope = glm::dot(direction, pyramid.toward);
+    const double level = 1e-12 * glm::dot(glm::abs(direction), glm::abs(pyramid.toward));
+    if (slope > level) a.high = std::numeric_limits<double>::infinity();
+    if (slope < -level) a.low = -std::numeric_limits<double>::infinity();
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    b.add(along({(corner & 1) != 0 ? box.high.x : box.low.x,
+                 (corner & 2) != 0 ? box.high.y : box.low.y,
+                 (corner & 4) != 0 ? box.high.z : box.low.z}));
+  }
+  const double gap = std::max(b.low - a.high, a.low - b.high);
+  // A double's rounding, with room; a zero direction parts nothing.
+  return gap > 1e-12 * magnitude;
+}
+
+}  // namespace
+
+std::array<glm::dvec3, 4> near_rectangle(const scene::Camera& camera, double aspect) {
+  const glm::dmat4 world = glm::inverse(camera.view());
+  const double h = camera.near * std::tan(glm::radians(camera.fovy) / 2), w = h * aspect;
+  const auto corner = [&](double x, double y) {
+    return glm::dvec3(world * glm::dvec4(x, y, -camera.near, 1));
+  };
+  return {corner(-w, -h), corner(w, -h), corner(w, h), corner(-w, h)};
+}
+
+bool needs_zfail(const scene::Camera& camera, double aspect, glm::dvec4 light,
+                 const scene::Bounds& bounds, const glm::dmat4& model) {
+  if (bounds.empty()) return false;
+  // In model space the box stays a box; being apart does not depend on the space.
+  const glm::dvec4 local_light = light_in_model_space(model, light);
+  const glm::dmat4 to_model = glm::inverse(model);
+  Pyramid pyramid;
+  glm::dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  const auto corners = near_rectangle(camera, aspect);
+  for (std::size_t i = 0; i < 4; ++i) {
+    pyramid.base[i] = glm::dvec3(to_model * glm::dvec4(corners[i], 1));
+    farthest = glm::max(farthest, glm::abs(pyramid.base[i]));
+  }
+  if (local_light.w != 0) {
+    pyramid.apex = glm::dvec3(local_light) / local_light.w;
+  } else {
+    pyramid.toward = glm::normalize(glm::dvec3(local_light));
+  }
+  const glm::dvec3 margin(1e-6 * std::max({farthest.x, farthest.y, farthest.z}));
+  const scene::Bounds box{bounds.low - margin, bounds.high + margin};
+  for (const glm::dvec3& direction : parting_directions(pyramid)) {
+    if (parted(pyramid, box, direction)) return false;
+  }
+  return true;
+}
+
+}  // namespace shadowlab::shadow
