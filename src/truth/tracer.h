@@ -70,7 +70,7 @@ struct Sampling {
   /// accumulates hard shadows over shadow::samples(light, samples, pattern, seed) must give.
   /// Present: adaptive. Each pixel has its own Owen-scrambled Sobol sequence, doubled until the
   /// estimated standard error of its mean is at most `error`.
-  std::optional<double> error;
+  std::optional<double> error = std::nullopt;
 };
 
 /// Visibility, and what it cost.
