@@ -82,6 +82,10 @@ class State {
   /// The folders in which `require "a.b"` looks for a/b.lua, first to last.
   void search_in(std::vector<std::filesystem::path> folders) { folders_ = std::move(folders); }
   const std::vector<std::filesystem::path>& search_folders() const { return folders_; }
+  /// How many calls of coroutine.close are inside each other.
+  int& closing() { return closing_; }
+  /// The modules whose code is running because of `require`, outermost first.
+  std::vector<std::string>& modules_under_way() { return under_way_; }
 
   /// Prints as the script does: through the sink, up to the cap.
   void print(std::string_view line);
@@ -92,15 +96,15 @@ class State {
   /// For tests: the bytes alive, and failing allocations on purpose.
   Heap& heap() { return heap_; }
 
-  /// Pushes the chunk and gives nothing, or gives the sentence that says why not.
-  std::optional<std::string> try_load_file(const std::filesystem::path& path);
-  std::optional<std::string> try_load_text(std::string_view text, const std::string& name);
+  /// Pushes the chunk onto `L` and gives nothing, or gives the sentence that says why not.
+  std::optional<std::string> try_load_file(lua_State* L, const std::filesystem::path& path);
+  std::optional<std::string> try_load_text(lua_State* L, std::string_view text,
+                                           const std::string& name);
 
  private:
   static int note_error(lua_State* L);
   std::string sentence_of_error(int status);
   std::string with_full_names(std::string message) const;
-  bool begins_with_position(const std::string& message) const;
 
   Limits limits_;
   PrintSink print_;
@@ -109,10 +113,12 @@ class State {
   Heap heap_;
   std::mt19937_64 random_;
   std::vector<std::filesystem::path> folders_;
+  std::vector<std::string> under_way_;
   std::vector<std::string> chunk_names_;
   std::string failed_at_;     // "FILE:LINE: " of the error on its way out
   std::string failed_place_;  // what place_ said then
   std::size_t printed_ = 0;
+  int closing_ = 0;
   lua_State* lua_ = nullptr;
 };
 

@@ -1,0 +1,103 @@
+#include "lua/sandbox_budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lua/sandbox_raise.h"
+#include "lua/state.h"
+
+namespace shadowlab::lua {
+namespace {
+
+// A look at the clock takes some 30 ns and an instruction some 2 ns: one look in a thousand is
+// free.
+constexpr int usual_interval = 1000;
+// Up to this size an instruction on a whole block (1 ns a byte at worst) may be done a thousand
+// times between two looks at the clock: a second at worst, and as much for larger blocks.
+constexpr std::size_t usual_block = std::size_t{1} << 20;
+
+void count_hook(lua_State* L, lua_Debug*) {
+  Budget& budget = State::of(L).budget();
+  budget.set_running(L);
+  budget.spend(static_cast<std::uint64_t>(lua_gethookcount(L)));
+  if (budget.exhausted()) raise_exhausted(L);
+  budget.arm(L);
+}
+
+}  // namespace
+
+Budget::Budget(std::uint64_t instructions, double seconds)
+    : instructions_(instructions), seconds_(seconds), interval_(usual_interval) {
+  restart(nullptr);
+}
+
+void Budget::restart(lua_State* L) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double longest = 1e9;  // thirty years: far from what the clock's count of ns can hold
+  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                 std::chrono::duration<double>(std::min(seconds_, longest)));
+  spent_ = 0;
+  unlooked_ = 0;
+  sentence_.clear();
+  running_ = L;
+  if (L) arm(L);
+}
+
+void Budget::spend(std::uint64_t cost) {
+  if (exhausted()) return;
+  const std::uint64_t left = instructions_ - spent_;
+  if (cost > left) {
+    spent_ = instructions_;
+    exhaust(
+        fmt::format("the recipe ran more than {} instructions in one go; does a loop never end?",
+                    instructions_));
+    return;
+  }
+  spent_ += cost;
+  unlooked_ += cost;
+  if (unlooked_ >= static_cast<std::uint64_t>(interval_)) look_at_clock();
+}
+
+void Budget::look_at_clock() {
+  unlooked_ = 0;
+  if (std::chrono::steady_clock::now() < deadline_) return;
+  exhaust(fmt::format("the recipe ran for more than {:g} seconds in one go; does a loop never end?",
+                      seconds_));
+}
+
+void Budget::exhaust(const std::string& sentence) {
+  sentence_ = (running_ ? position_of(running_) : std::string()) + sentence;
+  if (running_) arm(running_);
+}
+
+void Budget::note_block(std::size_t bytes) {
+  if (bytes <= largest_block_) return;
+  largest_block_ = bytes;
+  const std::size_t times = bytes / usual_block + 1;
+  interval_ = std::max(1, static_cast<int>(usual_interval / std::min<std::size_t>(times, 1000)));
+  if (running_) arm(running_);
+}
+
+void Budget::arm(lua_State* L) const {
+  if (lua_gethook(L) == count_hook && lua_gethookcount(L) == interval()) return;
+  lua_sethook(L, count_hook, LUA_MASKCOUNT, interval());
+}
+
+std::string position_of(lua_State* L) {
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (frame.currentline > 0) return fmt::format("{}:{}: ", frame.short_src, frame.currentline);
+  }
+  return {};
+}
+
+void raise_exhausted(lua_State* L) {
+  const std::string& sentence = State::of(L).budget().sentence();
+  lua_pushlstring(L, sentence.data(), sentence.size());
+  lua_error(L);
+  std::abort();  // lua_error does not return, but does not say so to the compiler
+}
+
+}  // namespace shadowlab::lua
