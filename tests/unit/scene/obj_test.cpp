@@ -56,8 +56,8 @@ TEST_F(Obj, reads_numbers_in_all_their_spellings_to_the_nearest_float) {
 }
 
 TEST_F(Obj, gives_normals_of_unit_length_and_uvs) {
-  const Mesh mesh = read(square + "vn 0 0 2\nvt 0.25 0.75\nf 1/1/1 2/1/1 3/1/1\n");
-  EXPECT_THAT(mesh.normals, testing::Each(glm::vec3(0, 0, 1)));
+  const Mesh mesh = read(square + "vn 0 2 0\nvt 0.25 0.75\nf 1/1/1 2/1/1 3/1/1\n");
+  EXPECT_THAT(mesh.normals, testing::Each(glm::vec3(0, 1, 0)));
   EXPECT_THAT(mesh.uvs, testing::Each(glm::vec2(0.25, 0.75)));
 }
 
