@@ -60,6 +60,11 @@ std::string literal(std::uint64_t word) {
   } else if constexpr (std::is_base_of_v<ObjectKind, Kind>) {
     const GLuint name = read<GLuint>(word);
     return name == 0 ? "0" : fmt::format("{}_{}", Kind::title, name);
+  } else if constexpr (std::is_same_v<Kind, ParameterValue>) {
+    // Small numbers are levels; no name of TextureParameterValue but NONE, ZERO and ONE is under
+    // 256.
+    return read<GLint>(word) < 256 ? fmt::format("{}", read<GLint>(word))
+                                   : enum_name<TextureParameterValue>(read<GLenum>(word));
   } else if constexpr (std::is_same_v<Kind, Mask>) {
     return fmt::format("0x{:02X}", read<GLuint>(word));
   } else if constexpr (std::is_same_v<Kind, Bool>) {

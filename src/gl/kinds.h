@@ -13,18 +13,19 @@
 
 namespace shadowlab::gl {
 
-struct Int {};        ///< GLint
-struct Uint {};       ///< GLuint that counts or indexes
-struct Mask {};       ///< GLuint of bits, printed in hexadecimal
-struct Size {};       ///< GLsizei: not negative
-struct Float {};      ///< GLfloat: finite
-struct Double {};     ///< GLdouble: finite
-struct Bool {};       ///< GLboolean
-struct Text {};       ///< a name: const GLchar*
-struct Char {};       ///< a character of a text that GL writes
-struct ByteCount {};  ///< GLsizeiptr: not negative
-struct Offset {};     ///< const void*: a byte offset into the bound buffer
-struct Nothing {};    ///< no result
+struct Int {};             ///< GLint
+struct Uint {};            ///< GLuint that counts or indexes
+struct Mask {};            ///< GLuint of bits, printed in hexadecimal
+struct Size {};            ///< GLsizei: not negative
+struct Float {};           ///< GLfloat: finite
+struct Double {};          ///< GLdouble: finite
+struct Bool {};            ///< GLboolean
+struct ParameterValue {};  ///< GLint that is an integer or one of TextureParameterValue
+struct Text {};            ///< a name: const GLchar*
+struct Char {};            ///< a character of a text that GL writes
+struct ByteCount {};       ///< GLsizeiptr: not negative
+struct Offset {};          ///< const void*: a byte offset into the bound buffer
+struct Nothing {};         ///< no result
 
 /// Objects: a name from glGen*. `title` is what a message calls it.
 struct ObjectKind {};
@@ -82,6 +83,8 @@ struct SameTraits {
 };
 template <>
 struct Traits<Int> : SameTraits<GLint> {};
+template <>
+struct Traits<ParameterValue> : SameTraits<GLint> {};
 template <>
 struct Traits<Uint> : SameTraits<GLuint> {};
 template <>

@@ -1,0 +1,63 @@
+// What the bindings of one Lua state work on.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/graphics.h"
+#include "lua/state.h"
+#include "scene/scene.h"
+
+namespace shadowlab::lua {
+
+/// Told of every pass(name, fn) that a recipe runs.
+class PassListener {
+ public:
+  virtual ~PassListener() = default;
+  virtual void begin_pass(const std::string& name) = 0;
+  virtual void end_pass() = 0;
+};
+
+/// The things that gl.*, meshes, shaders and scenes act on. It outlives its State's scripts; one
+/// for each State, kept in Lua's registry.
+struct Stage {
+  State& state;
+  gl::Graphics& graphics;
+  PassListener* passes = nullptr;
+  /// The pass that is running, for error sentences; empty outside of any.
+  std::string pass_name;
+  /// Where files that a recipe names are looked for, first to last: beside it, then shadowlab's
+  /// own.
+  std::vector<std::filesystem::path> folders;
+  /// Picture width over height, which mesh and scene functions need for projections.
+  double aspect() const {
+    return static_cast<double>(graphics.width()) / static_cast<double>(graphics.height());
+  }
+
+  static Stage& of(lua_State* L);
+  /// Makes `stage` the state's; call it once, before the bindings are opened.
+  static void install(lua_State* L, Stage& stage);
+};
+
+/// Opens every module: vec2 … quat, gl, shader, mesh, scene, shadow, fbo, pass, param.
+void open_all(Stage& stage);
+
+void open_gl(Stage& stage);
+void open_shader(Stage& stage);
+void open_mesh(Stage& stage);
+void open_scene(Stage& stage);
+void open_shadow(Stage& stage);
+void open_pass(Stage& stage);
+void open_param(Stage& stage);
+void open_fbo(Stage& stage);
+
+/// The file that a recipe means by `name`, in the first of the stage's folders that has it. Throws
+/// InputError for absolute names, for names that lead out of the folder (.. or symbolic links), and
+/// where no folder has it; the message never quotes what a file contains.
+std::filesystem::path find_file(const Stage& stage, const std::string& name);
+
+}  // namespace shadowlab::lua
