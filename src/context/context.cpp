@@ -4,9 +4,9 @@
 #include <GL/glext.h>
 
 #include <array>
-#include <cstdlib>
 #include <utility>
 
+#include "context/driver_silence.h"
 #include "context/native.h"
 #include "core/near_names.h"
 
@@ -24,15 +24,7 @@ void release_current() {
   if (current) std::exchange(current, nullptr)->release();
 }
 
-// Mesa's loaders warn on standard error about every driver that they try. A user's own setting
-// wins.
-void quieten_mesa() {
-  setenv("EGL_LOG_LEVEL", "fatal", 0);
-  setenv("LIBGL_DEBUG", "quiet", 0);
-}
-
 std::unique_ptr<Native> make_native(Backend backend, Size size) {
-  quieten_mesa();
   switch (backend) {
     case Backend::osmesa:
       return make_osmesa(size);
@@ -173,6 +165,7 @@ void Context::release() const {
 Context create(Backend backend, Size size) {
   if (backend == Backend::automatic) return create_automatic(size);
   release_current();
+  const DriverSilence silence;
   Context context(backend, make_native(backend, size));
   context.make_current();
   context.name = context.native_->name();

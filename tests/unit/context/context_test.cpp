@@ -196,6 +196,16 @@ TEST_F(OsMesa, can_be_handed_to_another_thread) {
   EXPECT_EQ(seen, (Pixel{0, 255, 255, 255}));
 }
 
+// Mesa says on standard error that it cannot make this folder, and goes on without a cache.
+TEST_F(OsMesa, is_silent_where_there_is_no_place_for_a_shader_cache) {
+  testing::internal::CaptureStderr();
+  const int status = std::system(
+      "XDG_CACHE_HOME=/proc/none /proc/$PPID/exe --gtest_filter=OsMesa.offers* 1>/dev/null");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(said, "");
+}
+
 TEST(Glfw, without_a_display_is_a_sentence) {
   if (has_display()) GTEST_SKIP() << "DISPLAY is set";
   try {
