@@ -60,6 +60,7 @@ constexpr std::array allowed = {
 };
 
 void check(const Directive& directive) {
+  if (directive.text() == "%q") return;
   for (const Allowed& each : allowed) {
     if (each.conversion != directive.conversion) continue;
     const bool flags_fit = directive.flags.find_first_not_of(each.flags) == std::string::npos &&
@@ -156,9 +157,6 @@ void add_quoted(lua_State* L, luaL_Buffer* result, int argument) {
 }
 
 void add(lua_State* L, luaL_Buffer* result, const Directive& directive, int argument) {
-  const bool is_quote = directive.conversion == 'q' && directive.text() == "%q";
-  if (!is_quote) check(directive);
-  luaL_checkany(L, argument);
   switch (directive.conversion) {
     case 'q':
       return add_quoted(L, result, argument);
@@ -181,6 +179,7 @@ int format(lua_State* L) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 1, &length);
   const std::string_view pattern(text, length);
+  const int last = lua_gettop(L);  // the buffer may put more on the stack
   int argument = 1;
   luaL_Buffer result;
   luaL_buffinit(L, &result);
@@ -194,7 +193,10 @@ int format(lua_State* L) {
       ++at;
       continue;
     }
-    add(L, &result, directive_at(pattern, at), ++argument);
+    const Directive directive = directive_at(pattern, at);
+    check(directive);
+    if (++argument > last) luaL_argerror(L, argument, "no value");
+    add(L, &result, directive, argument);
   }
   luaL_pushresult(&result);
   return 1;

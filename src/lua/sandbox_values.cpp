@@ -68,8 +68,9 @@ int refuse_name(lua_State* L) {
   State::of(L).check_budget(100 * names.size());
   std::ranges::sort(names);  // the order of the table is not the same in every run
   const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto near = nearest_name(name, views);
   throw InputError(prefix + name + (module.empty() ? " is not defined" : " does not exist") +
-                   did_you_mean(name, views));
+                   (near ? "; did you mean " + prefix + std::string(*near) + "?" : ""));
 }
 
 }  // namespace
