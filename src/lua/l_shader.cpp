@@ -1,0 +1,141 @@
+// shader: programs by file or by text.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "lua/boxes.h"
+
+namespace shadowlab::lua {
+namespace {
+
+constexpr std::size_t most_source = std::size_t{1} << 20;
+
+std::string whole_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  if (!stream.good() && !stream.eof()) throw InputError("cannot read " + file.string());
+  if (text.size() > most_source)
+    throw InputError(file.string() + ": a shader's text is at most 1 MiB");
+  return text;
+}
+
+gl::StageSource stage_file(const Stage& stage, const std::string& name) {
+  const auto file = find_file(stage, name);
+  return {file.lexically_proximate(std::filesystem::current_path()).string(), whole_text(file)};
+}
+
+bool exists(const Stage& stage, const std::string& name) {
+  for (const auto& folder : stage.folders) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(folder / name, error)) return true;
+  }
+  return false;
+}
+
+int load(lua_State* L) {
+  Stage& stage = Stage::of(L);
+  if (lua_type(L, 1) != LUA_TSTRING) {
+    throw InputError("shader.load takes the name of a shader, as \"phong\"; it is " +
+                     describe(L, 1));
+  }
+  const std::string name = lua_tostring(L, 1);
+  gl::ProgramSource source{
+      stage_file(stage, name + ".vert"), stage_file(stage, name + ".frag"), {}};
+  if (exists(stage, name + ".geom")) source.geometry = stage_file(stage, name + ".geom");
+  push_box<ShaderBox>(L, stage.graphics.make_shader(source));
+  return 1;
+}
+
+std::optional<gl::StageSource> stage_text(lua_State* L, const char* key, const std::string& where) {
+  lua_getfield(L, 1, key);
+  std::optional<gl::StageSource> source;
+  if (lua_type(L, -1) == LUA_TSTRING) {
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L, -1, &length);
+    if (length > most_source) throw InputError("a shader's text is at most 1 MiB");
+    source = gl::StageSource{fmt::format("{} shader of {}", key, where), std::string(text, length)};
+  } else if (!lua_isnil(L, -1)) {
+    throw InputError(
+        fmt::format("shader.compile: {} must be a text; it is {}", key, describe(L, -1)));
+  }
+  lua_pop(L, 1);
+  return source;
+}
+
+int compile(lua_State* L) {
+  Stage& stage = Stage::of(L);
+  if (lua_type(L, 1) != LUA_TTABLE) {
+    throw InputError("shader.compile takes a table { vertex = text, fragment = text }; it is " +
+                     describe(L, 1));
+  }
+  luaL_where(L, 1);
+  std::string where = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  if (where.ends_with(": ")) where.resize(where.size() - 2);
+  auto vertex = stage_text(L, "vertex", where);
+  auto fragment = stage_text(L, "fragment", where);
+  if (!vertex || !fragment) throw InputError("shader.compile needs both vertex and fragment");
+  const gl::ProgramSource source{std::move(*vertex), std::move(*fragment),
+                                 stage_text(L, "geometry", where)};
+  push_box<ShaderBox>(L, stage.graphics.make_shader(source));
+  return 1;
+}
+
+int use(lua_State* L) {
+  ShaderBox& shader = read_box<ShaderBox>(L, 1, "shader:use: self");
+  if (lua_type(L, 2) == LUA_TTABLE) {
+    lua_pushnil(L);
+    while (lua_next(L, 2)) {
+      if (lua_type(L, -2) != LUA_TSTRING) throw InputError("shader:use takes uniforms by name");
+      set_uniform(L, *shader, lua_tostring(L, -2), lua_gettop(L));
+      lua_pop(L, 1);
+    }
+  } else if (!lua_isnoneornil(L, 2)) {
+    throw InputError("shader:use takes a table of uniforms; it is " + describe(L, 2));
+  }
+  shader->use();
+  return 0;
+}
+
+int set(lua_State* L) {
+  ShaderBox& shader = read_box<ShaderBox>(L, 1, "shader:set: self");
+  if (lua_type(L, 2) != LUA_TSTRING)
+    throw InputError("shader:set takes the name of a uniform; it is " + describe(L, 2));
+  set_uniform(L, *shader, lua_tostring(L, 2), 3);
+  return 0;
+}
+
+constexpr Entry functions[] = {
+    {"load", "shader.load(name) -> shader",
+     "The program of name.vert, name.frag and, where there is one, name.geom: beside the recipe, "
+     "else shadowlab's own.",
+     guarded<load>},
+    {"compile", "shader.compile{vertex = text, fragment = text, geometry = text} -> shader",
+     "The program of these texts. Errors name the stage and the line within its text.",
+     guarded<compile>},
+};
+constexpr Entry methods[] = {
+    {"use", "s:use{name = value, …}", "Makes it the current program, after setting these uniforms.",
+     guarded<use>},
+    {"set", "s:set(name, value)",
+     "Sets a uniform: a number, a boolean, a vector, a matrix, or a table of numbers. What is set "
+     "in setup holds in every frame; what draw sets, to the frame's end.",
+     guarded<set>},
+};
+
+}  // namespace
+
+std::span<const Entry> shader_functions() { return functions; }
+std::span<const Entry> shader_methods() { return methods; }
+
+void open_shader(Stage& stage) {
+  lua_State* L = stage.state.raw();
+  open_box<ShaderBox>(L, methods);
+  lua_newtable(L);
+  set_functions(L, functions);
+  refuse_unknown_names(L, -1, "shader");
+  lua_setglobal(L, "shader");
+}
+
+}  // namespace shadowlab::lua
