@@ -13,13 +13,14 @@ namespace {
 // More values than any table within the default memory holds.
 constexpr std::uint64_t longest_range = std::uint64_t{1} << 27;
 constexpr std::uint64_t cost_of_move = 4;  // of one value, in instructions
+constexpr lua_Integer moves_between_payments = 256;
 
 lua_Integer length(lua_State* L, int index) {
   luaL_checktype(L, index, LUA_TTABLE);
   return static_cast<lua_Integer>(lua_rawlen(L, index));
 }
 
-// The number of values from `first` to `last`; pays for them, and refuses what no table holds.
+// The number of values from `first` to `last`; refuses what no table holds.
 std::uint64_t range(const char* function, lua_Integer first, lua_Integer last) {
   if (first > last) return 0;
   const std::uint64_t difference =
@@ -75,11 +76,12 @@ int move(lua_State* L) {
   luaL_checktype(L, target, LUA_TTABLE);
   const auto count = static_cast<lua_Integer>(range("table.move", first, last));
   luaL_argcheck(L, to <= LUA_MAXINTEGER - count, 4, "destination wrap around");
-  State::of(L).check_budget(cost_of_move * static_cast<std::uint64_t>(count));
   // Where the target overlaps the rest of the source, from the end.
   const bool same = lua_rawequal(L, 1, target) != 0;
   const bool backwards = same && to > first && to <= last;
   for (lua_Integer k = 0; k < count; ++k) {
+    if (k % moves_between_payments == 0)
+      State::of(L).check_budget(cost_of_move * moves_between_payments);
     const lua_Integer i = backwards ? count - 1 - k : k;
     lua_rawgeti(L, 1, first + i);
     lua_rawseti(L, target, to + i);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lua/sandbox_alarm.h"
 #include "lua/sandbox_raise.h"
 #include "lua/state.h"
 
@@ -17,18 +18,15 @@ constexpr int usual_interval = 1000;
 // times between two looks at the clock: a second at worst, and as much for larger blocks.
 constexpr std::size_t usual_block = std::size_t{1} << 20;
 
-void count_hook(lua_State* L, lua_Debug*) {
-  Budget& budget = State::of(L).budget();
-  budget.set_running(L);
-  budget.spend(static_cast<std::uint64_t>(lua_gethookcount(L)));
-  if (budget.exhausted()) raise_exhausted(L);
-  budget.arm(L);
-}
+void count_hook(lua_State* L, lua_Debug*) { State::of(L).budget().on_hook(L); }
 
 }  // namespace
 
 Budget::Budget(std::uint64_t instructions, double seconds)
-    : instructions_(instructions), seconds_(seconds), interval_(usual_interval) {
+    : instructions_(instructions),
+      seconds_(seconds),
+      counts_(instructions != uncounted || !Alarm::works()),
+      interval_(usual_interval) {
   restart(nullptr);
 }
 
@@ -80,8 +78,27 @@ void Budget::note_block(std::size_t bytes) {
 }
 
 void Budget::arm(lua_State* L) const {
-  if (lua_gethook(L) == count_hook && lua_gethookcount(L) == interval()) return;
-  lua_sethook(L, count_hook, LUA_MASKCOUNT, interval());
+  const int wanted = interval();
+  if (lua_gethookcount(L) == wanted && (lua_gethook(L) == count_hook) == (wanted != 0)) return;
+  if (wanted == 0)
+    lua_sethook(L, nullptr, 0, 0);
+  else
+    lua_sethook(L, count_hook, LUA_MASKCOUNT, wanted);
+}
+
+// A tick that comes while `arm` is at work may be lost; the next one is not.
+void Budget::tick() {
+  if (lua_State* const L = running_) lua_sethook(L, count_hook, LUA_MASKCOUNT, 1);
+}
+
+void Budget::on_hook(lua_State* L) {
+  running_ = L;
+  if (counts_)
+    spend(static_cast<std::uint64_t>(lua_gethookcount(L)));
+  else if (!exhausted())
+    look_at_clock();
+  if (exhausted()) raise_exhausted(L);
+  arm(L);
 }
 
 std::string position_of(lua_State* L) {

@@ -1,6 +1,7 @@
 // How much of the machine's time a script may take: a count of instructions and a deadline.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <lua.hpp>
@@ -8,9 +9,15 @@
 
 namespace shadowlab::lua {
 
-/// Counts the instructions of a script over all its coroutines, and the work that native functions
-/// do for it, through a Lua count hook. Once it is exhausted, the hook fires at every instruction
-/// of the script and raises, and nothing of the script runs again until `restart`.
+/// For a limit on instructions: none; the clock alone ends the script.
+inline constexpr std::uint64_t uncounted = ~std::uint64_t{0};
+
+/// Bounds the work of a script over all its coroutines, and that of native functions for it. It
+/// ends the script through a count hook of Lua, in one of two ways. A limited number of
+/// instructions is counted by the hook, which makes each instruction half as slow again or more.
+/// Without that limit there is no hook until an alarm sets one, to look at the clock. Once the
+/// budget is exhausted, the hook fires at every instruction of the script and raises, and nothing
+/// of the script runs again until `restart`.
 class Budget {
  public:
   Budget(std::uint64_t instructions, double seconds);
@@ -21,6 +28,14 @@ class Budget {
   /// Counts `cost` instructions' worth of work and looks at the clock now and then; raises no
   /// error.
   void spend(std::uint64_t cost);
+
+  /// Whether instructions are counted; else an Alarm must call `tick` while the script runs.
+  bool counts() const { return counts_; }
+  void start_counting() { counts_ = true; }
+  /// Makes the script look at the clock at its next instruction. May run within a signal.
+  void tick();
+  /// What the hook does.
+  void on_hook(lua_State* L);
 
   bool exhausted() const { return !sentence_.empty(); }
   /// What ran out, beginning with the script's file and line where they are known.
@@ -35,11 +50,11 @@ class Budget {
   lua_State* running() const { return running_; }
   void set_running(lua_State* L) { running_ = L; }
 
-  /// Gives thread `L` the hook, unless it has it already with the right count.
+  /// Gives thread `L` the hook that it needs now, or none.
   void arm(lua_State* L) const;
 
-  /// Instructions between two calls of the hook.
-  int interval() const { return exhausted() ? 1 : interval_; }
+  /// Instructions between two calls of the hook; 0: no hook.
+  int interval() const { return exhausted() ? 1 : counts_ ? interval_ : 0; }
 
  private:
   void look_at_clock();
@@ -47,10 +62,11 @@ class Budget {
 
   std::uint64_t instructions_;
   double seconds_;
+  bool counts_;
   std::uint64_t spent_ = 0;
   std::uint64_t unlooked_ = 0;  // work since the last look at the clock
   std::chrono::steady_clock::time_point deadline_;
-  lua_State* running_ = nullptr;
+  std::atomic<lua_State*> running_ = nullptr;  // a signal reads it
   std::size_t largest_block_ = 0;
   int interval_;
   std::string sentence_;

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "lua/guard.h"
+#include "lua/sandbox_alarm.h"
 #include "lua/sandbox_libraries.h"
 #include "lua/sandbox_raise.h"
 
@@ -153,6 +154,7 @@ void State::call(int arguments, int results) {
   lua_pushcfunction(lua_, note_error);
   lua_insert(lua_, function);
   budget_.set_running(lua_);
+  const Alarm alarm(budget_);
   budget_.arm(lua_);
   const int status = lua_pcall(lua_, arguments, results, function);
   lua_remove(lua_, function);

@@ -1,6 +1,4 @@
 // What a hostile script tries in plain Lua: each must end within a small budget, in one sentence.
-#include <chrono>
-
 #include "script.h"
 
 namespace shadowlab::lua {
@@ -10,152 +8,8 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string end_of_budget = " in one go; does a loop never end?";
 const std::string end_of_memory = "the recipe needs more than 16 MiB of memory";
 const std::string too_deep = "functions call each other too deeply (stack overflow)";
-
-struct Attack {
-  const char* name;
-  const char* text;
-};
-std::ostream& operator<<(std::ostream& out, const Attack& attack) { return out << attack.name; }
-
-std::string name_of(const testing::TestParamInfo<Attack>& info) { return info.param.name; }
-
-class Endless : public testing::TestWithParam<Attack> {};
-
-// Runs the script to its end, whose sentence is given, and checks that it came in time: the budget
-// is half a second, and one instruction on a block of 16 MiB may take longer than its share.
-std::string timed_error(const Attack& attack) {
-  Script script;
-  const auto start = std::chrono::steady_clock::now();
-  const std::string sentence = script.error(attack.text);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(taken.count(), 3.0);
-  EXPECT_THAT(script.printed(), testing::Not(HasSubstr("escaped")));
-  return sentence;
-}
-
-TEST_P(Endless, ends_with_the_budget) {
-  EXPECT_THAT(timed_error(GetParam()), AllOf(StartsWith("a.lua:"), HasSubstr(end_of_budget)));
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Sandbox, Endless,
-    testing::Values(
-        Attack{"loop", "while true do end"}, Attack{"goto", "::again:: goto again"},
-        Attack{"pcall", "pcall(function() while true do end end) print 'escaped'"},
-        Attack{"pcall_again_and_again",
-               "while true do pcall(function() while true do end end) print 'escaped' end"},
-        Attack{"pcall_recursion",
-               "local function f() while true do pcall(f) end end f() print 'escaped'"},
-        Attack{"pcall_of_errors", "while true do pcall(error, {}) end"},
-        Attack{"xpcall_handler",
-               "xpcall(function() while true do end end, function() print 'escaped' while true do "
-               "end end)"},
-        Attack{"xpcall_handler_of_an_error",
-               "xpcall(error, function() while true do end end) print 'escaped'"},
-        Attack{"xpcall_handler_that_fails",
-               "local function h() error(setmetatable({}, {__tostring = function() while true do "
-               "end end})) end while true do xpcall(h, h) end"},
-        Attack{"coroutine", "coroutine.wrap(function() while true do end end)() print 'escaped'"},
-        Attack{"coroutine_in_pcall",
-               "pcall(coroutine.wrap(function() pcall(function() while true do end end) print "
-               "'escaped' end)) print 'escaped'"},
-        Attack{"coroutine_resume",
-               "local co = coroutine.create(function() while true do end end)\n"
-               "coroutine.resume(co) print 'escaped' coroutine.resume(co)"},
-        Attack{"many_short_coroutines",
-               "while true do coroutine.wrap(function() for i = 1, 100 do end end)() end"},
-        Attack{"chain_of_coroutines",
-               "local function f() coroutine.wrap(f)() end while true do pcall(f) end"},
-        Attack{"coroutines_that_yield",
-               "local co = coroutine.wrap(function() while true do coroutine.yield() end end) "
-               "while true do co() end"},
-        Attack{"coroutine_handler",
-               "xpcall(coroutine.wrap(function() while true do end end), function() print "
-               "'escaped' end)"},
-        Attack{"sort_comparator",
-               "table.sort({3, 2, 1}, function() while true do end end) print 'escaped'"},
-        Attack{"sort_with_lying_comparator",
-               "local t = {} for i = 1, 1e4 do t[i] = i end\n"
-               "while true do table.sort(t, function() return true end) end"},
-        Attack{"tostring",
-               "print(setmetatable({}, {__tostring = function() while true do end end}))"},
-        Attack{"tostring_of_an_error",
-               "error(setmetatable({}, {__tostring = function() while true do end end}))"},
-        Attack{"index", "return setmetatable({}, {__index = function() while true do end end}).x"},
-        Attack{"concat_metamethod",
-               "return {} .. setmetatable({}, {__concat = function() while true do end end})"},
-        Attack{"pairs_metamethod",
-               "for _ in pairs(setmetatable({}, {__pairs = function() while true do end end})) do "
-               "end"},
-        Attack{"ipairs",
-               "for _ in ipairs(setmetatable({}, {__index = function() return 1 end})) do end"},
-        Attack{"gsub_callback", "('x'):gsub('x', function() while true do end end)"},
-        Attack{"gmatch_iterator", "while true do for _ in ('x'):rep(1000):gmatch('.') do end end"},
-        Attack{"backtracking_pattern",
-               "return ('a'):rep(40):find(('a?'):rep(40) .. ('a'):rep(40))"},
-        Attack{"backtracking_lazy_pattern", "return ('a'):rep(200):match('.-.-.-.-.-.-.-.-.-b')"},
-        Attack{"pattern_from_every_place", "return ('a'):rep(2^20):find('.-b')"},
-        Attack{"balanced_from_every_place", "return ('('):rep(2^20):find('%b()')"},
-        Attack{"pattern_in_gsub", "return ('a'):rep(40):gsub(('a?'):rep(40) .. ('a'):rep(40), '')"},
-        Attack{
-            "pattern_in_pcall",
-            "pcall(string.find, ('a'):rep(40), ('a?'):rep(40) .. ('a'):rep(40)) print 'escaped'"},
-        Attack{
-            "plain_find",
-            "local s = ('a'):rep(2^20) while true do s:find(('a'):rep(2^19) .. 'b', 1, true) end"},
-        Attack{"close_metamethod_set_later",
-               "local m = {} local t = setmetatable({}, m)\n"
-               "m.__close = function() while true do end end\n"
-               "do local x <close> = t end print 'escaped'"},
-        Attack{"close_while_the_budget_ends",
-               "local m = {} local t = setmetatable({}, m)\n"
-               "m.__close = function() print 'escaped' while true do end end\n"
-               "local x <close> = t while true do end"},
-        Attack{"close_in_a_dead_coroutine",
-               "local m = {} local t = setmetatable({}, m)\n"
-               "m.__close = function() print 'escaped' while true do end end\n"
-               "local co = coroutine.create(function() local x <close> = t while true do end end)\n"
-               "pcall(coroutine.resume, co) print 'escaped' coroutine.close(co)"},
-        Attack{"close_of_a_suspended_coroutine",
-               "local m = {} local t = setmetatable({}, m)\n"
-               "m.__close = function() while true do end end\n"
-               "local co = coroutine.create(function() local x <close> = t coroutine.yield() end)\n"
-               "coroutine.resume(co) coroutine.close(co) print 'escaped'"},
-        Attack{"close_by_a_generic_for",
-               "local m = {} local t = setmetatable({}, m)\n"
-               "m.__close = function() while true do end end\n"
-               "for _ in function() end, nil, nil, t do end print 'escaped'"},
-        Attack{"closes_in_a_deep_stack",
-               "local m = {__index = {}} local t = setmetatable({}, m)\n"
-               "m.__close = function() while true do pcall(error) end end\n"
-               "local function f() local x <close> = t f() end pcall(f)"},
-        Attack{"long_comparisons",
-               "local a, b = ('x'):rep(2^22) .. 'a', ('x'):rep(2^22) .. 'a' while a == b do end"},
-        Attack{"long_order_comparisons",
-               "local a, b = ('x'):rep(2^22) .. 'a', ('x'):rep(2^22) .. 'b' while a < b do end"},
-        Attack{"long_concatenations",
-               "local s = ('x'):rep(2^22) while true do local t = s .. 'y' end"},
-        Attack{"long_copies",
-               "local s = ('x'):rep(2^21) while true do local t = s:upper():reverse() end"},
-        Attack{"utf8_length", "local s = ('x'):rep(2^22) while true do utf8.len(s) end"},
-        Attack{"rehashing_a_full_table",
-               "local t = {} for i = 1, 2^16 do t[i + 0.5] = true end\n"
-               "local k = 0.5 while true do k = k + 1 t[k] = nil t[-k] = true end"},
-        Attack{"pairs_of_a_large_table",
-               "local t = {} for i = 1, 2^15 do t['k' .. i] = i end while true do pairs(t) end"},
-        Attack{"next_of_a_large_table",
-               "local t = {} for i = 1, 2^15 do t[i] = i end for _ in next, t do end"},
-        Attack{"refused_memory",
-               "while true do pcall(function() local s = ('x'):rep(15 * 2^20) .. 'y' end) end"},
-        Attack{"table_move_up_and_down",
-               "local t = {} while true do table.move(t, 1, 2^26, 2) end"},
-        Attack{"table_insert_in_front", "local t = {} while true do table.insert(t, 1, 1) end"},
-        Attack{"undefined_names", "while true do pcall(function() return undefined_name end) end"},
-        Attack{"print_flood", "while true do print 'x' end"}),
-    name_of);
 
 class Greedy : public testing::TestWithParam<Attack> {};
 
@@ -229,7 +83,10 @@ TEST(Sandbox, time_ends_what_instructions_do_not) {
 }
 
 TEST(Sandbox, deep_recursion_in_protected_calls_ends) {
-  Script script;
+  Limits limits = small_limits();
+  limits.memory = std::size_t{64} << 20;
+  limits.instructions = 100'000'000;
+  limits.seconds = 20;
   const Attack attacks[] = {
       {"pcall", "local function f() return pcall(f) end return f()"},
       {"xpcall", "local function f() return xpcall(f, f) end return f()"},
@@ -245,7 +102,7 @@ TEST(Sandbox, deep_recursion_in_protected_calls_ends) {
        "return coroutine.close(last)"}};
   for (const Attack& attack : attacks) {
     try {
-      Script(small_limits()).value(attack.text);
+      Script(limits).value(attack.text);
     } catch (const InputError& problem) {
       EXPECT_THAT(problem.what(), StartsWith("a.lua:")) << attack.name;
     }
@@ -277,11 +134,11 @@ TEST(Sandbox, finalizers_are_refused) {
   EXPECT_EQ(script.error("setmetatable({}, {__close = print})"),
             "a.lua:1: setmetatable: __close is not available in a recipe");
   // Set later, Lua does not look at it.
-  EXPECT_EQ(script.value("local m = {} local t = setmetatable({}, m) m.__gc = function() print "
-                         "'escaped' end t = nil"),
+  EXPECT_EQ(script.value("local m = {} local t = setmetatable({}, m) m.__gc = function() escaped = "
+                         "true end t = nil"),
             "nil");
   lua_gc(script.raw(), LUA_GCCOLLECT);
-  EXPECT_EQ(script.printed(), "");
+  EXPECT_FALSE(script.escaped());
 }
 
 TEST(Sandbox, what_leads_out_is_not_there) {
@@ -335,24 +192,24 @@ TEST(Sandbox, no_text_shows_an_address) {
 TEST(Sandbox, a_coroutine_stopped_by_the_budget_is_dead_for_the_next) {
   Script script;
   EXPECT_THAT(script.error("local m = {} local t = setmetatable({}, m)\n"
-                           "m.__close = function() print 'escaped' while true do end end\n"
+                           "m.__close = function() escaped = true while true do end end\n"
                            "co = coroutine.create(function() local x <close> = t while true do end "
                            "end) coroutine.resume(co)"),
               HasSubstr(end_of_budget));
   script.state().restart_budget();
   EXPECT_EQ(script.value("return coroutine.status(co)"), "dead");
   EXPECT_EQ(script.value("return coroutine.close(co)"), "false");
-  EXPECT_EQ(script.printed(), "");
+  EXPECT_FALSE(script.escaped());
 }
 
 TEST(Sandbox, an_interrupted_parent_of_a_coroutine_does_not_go_on) {
   Script script;
   EXPECT_THAT(script.error("local m = {} local t = setmetatable({}, m)\n"
-                           "m.__close = function() print 'escaped' end\n"
+                           "m.__close = function() escaped = true end\n"
                            "local x <close> = t\n"
                            "coroutine.wrap(function() while true do end end)()"),
               HasSubstr(end_of_budget));
-  EXPECT_EQ(script.printed(), "");
+  EXPECT_FALSE(script.escaped());
 }
 
 TEST(Sandbox, a_huge_or_hostile_error_is_a_short_sentence) {

@@ -23,6 +23,17 @@ inline Limits small_limits() {
   return limits;
 }
 
+struct Attack {
+  const char* name;
+  const char* text;
+};
+inline std::ostream& operator<<(std::ostream& out, const Attack& attack) {
+  return out << attack.name;
+}
+inline std::string name_of(const testing::TestParamInfo<Attack>& info) { return info.param.name; }
+
+inline constexpr const char* end_of_budget = " in one go; does a loop never end?";
+
 class Script {
  public:
   explicit Script(const Limits& limits = small_limits())
@@ -31,6 +42,15 @@ class Script {
   State& state() { return state_; }
   lua_State* raw() { return state_.raw(); }
   const std::string& printed() const { return printed_; }
+
+  /// Whether the script went on after its end and set the global `escaped`.
+  bool escaped() {
+    lua_pushglobaltable(raw());
+    lua_pushliteral(raw(), "escaped");
+    const bool set = lua_rawget(raw(), -2) != LUA_TNIL;
+    lua_pop(raw(), 2);
+    return set;
+  }
 
   /// What the chunk returns, as text.
   std::string value(std::string_view text) {
