@@ -129,7 +129,7 @@ Candidates::Candidates(std::vector<Triangle> triangles) : tree_(std::make_unique
       tree.radius = std::max(tree.radius, glm::length(vertex));
     }
   }
-  tree.growth = std::max(tree.radius * 0x1p-18, 1e-30);
+  tree.growth = std::max(tree.radius * 0x1p-20, 1e-30);
   if (tree.triangles.empty()) return;
 
   tree.device.reset(rtcNewDevice(nullptr));

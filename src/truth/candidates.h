@@ -19,10 +19,11 @@ struct Segment {
   double high = 1;
 };
 
-/// Triangles in a tree of boxes. Invariant: every triangle that a segment meets is proposed. Boxes
-/// are grown by `growth`, 2^-18 of the largest coordinate, which is over 16 times what float can
-/// shift a ray within the scene: its origin and each step along it are rounded to 2^-24 of at most
-/// twice that coordinate. Embree's robust mode rounds its box tests outward.
+/// Triangles in a tree of boxes. Invariant: every triangle that a segment meets is proposed. A
+/// float ray strays from its segment by at most 1.5 · 2^-24 of the largest coordinate R on each
+/// axis: 2^-25 R as its origin is rounded, and 2^-25 of a step of at most 2 R as its direction is.
+/// Boxes are grown by 2^-20 R, ten times that, and Embree's robust mode rounds its box tests
+/// outward. (Segments are cut to the scene first, so that a far eye or light does not count.)
 class Candidates {
  public:
   explicit Candidates(std::vector<Triangle> triangles);

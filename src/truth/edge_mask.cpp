@@ -15,6 +15,10 @@ namespace {
 // Rows of pixels whose lattice is held at once: the lattice's two rows of overlap are traced twice.
 constexpr int kBandRows = 16;
 
+// How near to an edge a rasteriser may take a pixel's centre for the other side: GL promises
+// vertices snapped to 1/16 of a pixel or finer and implementations snap to 1/256; twice that.
+constexpr double kSnap = 1.0 / 128;
+
 struct LatticePoint {
   const Triangle* triangle = nullptr;  ///< null: background
   glm::dvec3 ray{0};                   ///< of unit depth
@@ -67,18 +71,20 @@ image::FloatImage Tracer::edge_mask(const scene::Camera& camera, const scene::Li
                      static_cast<std::size_t>(i)];
     };
     const Triangle* last = nullptr;
-    for (int j = 0; j < rows; ++j) {
-      for (int i = 0; i < columns; ++i) {
-        // Point (0, 0) is one pixel before the centre of the band's first pixel, in x and in y.
-        const double x = static_cast<double>(i) / per_pixel - 0.5;
-        const double y = first + static_cast<double>(j) / per_pixel - 0.5;
-        const auto hit = parts_->first_hit(view, x, y);
-        LatticePoint& point = at(i, j);
-        point.ray = view.direction(x, y);
-        if (!hit) continue;
+    const auto trace = [&](double x, double y) {
+      LatticePoint point{.ray = view.direction(x, y)};
+      if (const auto hit = parts_->first_hit(view, x, y)) {
         point.triangle = hit->triangle;
         point.depth = hit->depth;
         point.lit = !parts_->shadowed(*hit, view.eye, position, last);
+      }
+      return point;
+    };
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) {
+        // Point (0, 0) is one pixel before the centre of the band's first pixel, in x and in y.
+        at(i, j) = trace(static_cast<double>(i) / per_pixel - 0.5,
+                         first + static_cast<double>(j) / per_pixel - 0.5);
       }
     }
     const auto cut = [&](const LatticePoint& p, const LatticePoint& q) {
@@ -100,6 +106,21 @@ image::FloatImage Tracer::edge_mask(const scene::Camera& camera, const scene::Li
       for (int i = 0; i < columns; ++i) {
         if (i + 1 < columns && cut(at(i, j), at(i + 1, j))) mark(i, j, i + 1, j);
         if (j + 1 < rows && cut(at(i, j), at(i, j + 1))) mark(i, j, i, j + 1);
+      }
+    }
+    // What is narrower than the lattice and passes beside a pixel's centre. An edge within kSnap of
+    // the centre parts it from a corner of the square of that half-side.
+    for (int y = 0; y < rows_of_pixels; ++y) {
+      for (int x = 0; x < width; ++x) {
+        float& marked =
+            mask.values[static_cast<std::size_t>(first + y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)];
+        const LatticePoint& center = at(per_pixel * (x + 1), per_pixel * (y + 1));
+        for (int corner = 0; corner < 4 && marked == 0; ++corner) {
+          const double dx = (corner & 1) != 0 ? kSnap : -kSnap;
+          const double dy = (corner & 2) != 0 ? kSnap : -kSnap;
+          if (cut(center, trace(x + 0.5 + dx, first + y + 0.5 + dy))) marked = 1;
+        }
       }
     }
   });

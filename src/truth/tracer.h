@@ -110,8 +110,10 @@ class Tracer {
   /// pixel centres: a pixel is marked when two lattice points in its square differ in visibility,
   /// or two neighbouring ones lie on different sheets (different objects, or triangles of one
   /// object whose depths differ by more than the slopes of both explain). The terminator of a
-  /// faceted closed caster is a shadow edge too. What is narrower than the lattice may be missed. 1
-  /// where marked, 0 elsewhere. Area lights: the edges of their centre's hard shadow.
+  /// faceted closed caster is a shadow edge too. What is narrower than the lattice may be missed;
+  /// four more points around each centre catch what a rasteriser's snapping could bring over it. 1
+  /// where marked, 0 elsewhere. Area lights: the edges of
+  /// their centre's hard shadow.
   image::FloatImage edge_mask(const scene::Camera& camera, const scene::Light& light, int width,
                               int height, int per_pixel = 4, int threads = 0) const;
 

@@ -87,6 +87,20 @@ TEST(Line, through_vertices_and_edges_of_a_closed_mesh_meets_a_triangle) {
   }
 }
 
+// Edge a-b projects to rounded points whose cross product is nothing but rounding: the closed
+// triangle on the one side has the line, the one on the other side does not.
+TEST(Line, is_on_one_side_of_an_edge_unless_it_is_on_it_exactly) {
+  const double e = 0x1p-52;
+  const glm::dvec3 a(1 + e, 1 + 2 * e, 1), b(-1 - e, -1 - 2 * e, 1);
+  const glm::dvec3 nearly(-1 - 2 * e, -1 - 3 * e, 1);  // (1+e)(1+3e) < (1+2e)²
+  const Line line({0, 0, 0}, {0, 0, 1});
+  EXPECT_TRUE(line.crossing({a, b, {-5, 5, 1}}));
+  EXPECT_TRUE(line.crossing({b, a, {5, -5, 1}}));
+  const bool left = line.crossing({a, nearly, {-5, 5, 1}}).has_value();
+  const bool right = line.crossing({nearly, a, {5, -5, 1}}).has_value();
+  EXPECT_NE(left, right);
+}
+
 TEST(Line, in_the_plane_of_a_triangle_does_not_meet_it) {
   const Triangle t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_FALSE(Line({-1, 0.2, 0}, {1, 0, 0}).crossing(t));

@@ -30,6 +30,8 @@ inline scene::Object object(scene::Mesh mesh, scene::Role role, glm::dvec3 at = 
   return result;
 }
 
+inline scene::Light point_light(glm::dvec3 at) { return {.position = {at, 1}}; }
+
 inline scene::Object floor_object(double size = 20) {
   return object(scene::plane(size, size), scene::Role::receiver);
 }
