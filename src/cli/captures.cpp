@@ -1,0 +1,182 @@
+#include "cli/captures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace shadowlab::cli {
+namespace {
+
+// Digits of 3 × 5 dots, a row a number, the left dot its highest bit.
+constexpr std::array<std::array<std::uint8_t, 5>, 10> digits{{{7, 5, 5, 5, 7},
+                                                              {2, 6, 2, 2, 7},
+                                                              {7, 1, 7, 4, 7},
+                                                              {7, 1, 7, 1, 7},
+                                                              {5, 5, 7, 1, 1},
+                                                              {7, 4, 7, 1, 7},
+                                                              {7, 4, 7, 5, 7},
+                                                              {7, 1, 1, 2, 2},
+                                                              {7, 5, 7, 5, 7},
+                                                              {7, 5, 7, 1, 7}}};
+
+constexpr int dot = 2;                  // pixels of one dot of a digit
+constexpr int swatch = 12;              // a legend's square
+constexpr int entry_width = 60;         // a square and up to three digits
+constexpr int legend_row = swatch + 6;  // with its margin
+
+void fill(image::Image& image, int x, int y, int width, int height,
+          std::array<std::uint8_t, 4> color) {
+  for (int row = std::max(0, y); row < std::min(image.height, y + height); ++row) {
+    for (int column = std::max(0, x); column < std::min(image.width, x + width); ++column)
+      image.set(column, row, color);
+  }
+}
+
+void write_number(image::Image& image, int x, int y, int number) {
+  for (const char digit : std::to_string(number)) {
+    const auto& rows = digits[static_cast<std::size_t>(digit - '0')];
+    for (int row = 0; row < 5; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        if (rows[static_cast<std::size_t>(row)] >> (2 - column) & 1) {
+          fill(image, x + column * dot, y + row * dot, dot, dot, {255, 255, 255, 255});
+        }
+      }
+    }
+    x += 4 * dot;
+  }
+}
+
+std::string stem_of(std::size_t index, const std::string& pass) {
+  std::string stem = fmt::format("{:02}_", index + 1);
+  std::string_view name = pass;
+  while (!name.empty() && (std::isdigit(static_cast<unsigned char>(name.front())) ||
+                           name.front() == '.' || name.front() == ' ')) {
+    name.remove_prefix(1);
+  }
+  for (const char c : name.substr(0, 60)) {
+    const bool keep =
+        std::isalnum(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 128;
+    if (keep) {
+      stem += c;
+    } else if (stem.back() != '_') {
+      stem += '_';
+    }
+  }
+  while (stem.back() == '_') stem.pop_back();
+  return stem;
+}
+
+}  // namespace
+
+std::array<std::uint8_t, 4> stencil_color(std::uint8_t value) {
+  if (value == 0) return {0, 0, 0, 255};
+  // Hues a golden angle apart, so that neighbouring values differ most; lightness in three steps.
+  const double hue = std::fmod(value * 0.61803398875, 1.0) * 6;
+  const double light = 0.65 + 0.175 * (value % 3);
+  std::array<double, 3> rgb{std::abs(hue - 3) - 1, 2 - std::abs(hue - 2), 2 - std::abs(hue - 4)};
+  std::array<std::uint8_t, 4> color{0, 0, 0, 255};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double saturated = std::clamp(rgb[i], 0.0, 1.0);
+    color[i] = static_cast<std::uint8_t>(std::lround(255 * light * (0.15 + 0.85 * saturated)));
+  }
+  return color;
+}
+
+image::Image stencil_picture(const std::vector<std::uint8_t>& stencil, int width, int height) {
+  std::array<bool, 256> present{};
+  for (const std::uint8_t value : stencil) present[value] = true;
+  const int entries = static_cast<int>(std::count(present.begin(), present.end(), true));
+  const int columns = std::max(1, width / entry_width);
+  const int rows = (entries + columns - 1) / columns;
+  image::Image picture(width, height + rows * legend_row, {32, 32, 32, 255});
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      picture.set(
+          x, y,
+          stencil_color(stencil[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                static_cast<std::size_t>(x)]));
+    }
+  }
+  int entry = 0;
+  for (int value = 0; value < 256; ++value) {
+    if (!present[static_cast<std::size_t>(value)]) continue;
+    const int x = entry % columns * entry_width + 3;
+    const int y = height + entry / columns * legend_row + 3;
+    fill(picture, x, y, swatch, swatch, stencil_color(static_cast<std::uint8_t>(value)));
+    write_number(picture, x + swatch + 4, y + 1, value);
+    ++entry;
+  }
+  return picture;
+}
+
+image::Image depth_picture(const image::FloatImage& depth) {
+  float nearest = 1, farthest = 0;
+  for (const float value : depth.values) {
+    if (value >= 1) continue;
+    nearest = std::min(nearest, value);
+    farthest = std::max(farthest, value);
+  }
+  const float range = farthest > nearest ? farthest - nearest : 1;
+  image::Image picture(depth.width, depth.height);
+  for (std::size_t i = 0; i < depth.values.size(); ++i) {
+    const float value = depth.values[i];
+    // The nearest is not quite black, so that it differs from a missing picture.
+    const float grey = value >= 1 ? 1.0f : 0.1f + 0.75f * (value - nearest) / range;
+    const auto level = static_cast<std::uint8_t>(std::lround(255 * grey));
+    std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(i * 4), 3, level);
+  }
+  return picture;
+}
+
+Captures::Captures(std::filesystem::path folder, Session& session)
+    : folder_(std::move(folder)), session_(session) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error)
+    throw InputError(
+        fmt::format("cannot make the folder {}: {}", folder_.string(), error.message()));
+  session_.recipe().on_pass_end([this](std::size_t pass) { capture(pass); });
+}
+
+Captures::~Captures() { session_.recipe().on_pass_end({}); }
+
+void Captures::capture(std::size_t pass) {
+  const gl::MainFrame& frame = session_.graphics().frame;
+  const std::string& name = session_.recipe().passes()[pass].name;
+  passes_.push_back({name, stem_of(pass, name), frame.read_color()});
+  const auto file = [&](const char* ending) { return folder_ / (passes_.back().stem + ending); };
+  const auto width = static_cast<std::size_t>(frame.width()),
+             height = static_cast<std::size_t>(frame.height());
+  const image::Image& color = passes_.back().color;
+  image::write_png(file(".color.png"), color);
+  image::write_npy(file(".color.npy"), std::array<std::size_t, 3>{height, width, 4}, color.rgba);
+  const auto depth = frame.read_depth();
+  image::write_png(file(".depth.png"), depth_picture(depth));
+  image::write_npy(file(".depth.npy"), std::array<std::size_t, 2>{height, width}, depth.values);
+  const auto stencil = frame.read_stencil();
+  image::write_png(file(".stencil.png"), stencil_picture(stencil, frame.width(), frame.height()));
+  image::write_npy(file(".stencil.npy"), std::array<std::size_t, 2>{height, width}, stencil);
+}
+
+void Captures::finish() {
+  nlohmann::ordered_json index = nlohmann::ordered_json::array();
+  for (const Capture& capture : passes_) {
+    index.push_back({{"pass", capture.pass},
+                     {"color", capture.stem + ".color.png"},
+                     {"depth", capture.stem + ".depth.png"},
+                     {"stencil", capture.stem + ".stencil.png"},
+                     {"raw",
+                      {capture.stem + ".color.npy", capture.stem + ".depth.npy",
+                       capture.stem + ".stencil.npy"}}});
+  }
+  std::ofstream stream(folder_ / "index.json");
+  stream << index.dump(2) << '\n';
+  if (!stream.flush()) throw InputError("cannot write " + (folder_ / "index.json").string());
+}
+
+}  // namespace shadowlab::cli

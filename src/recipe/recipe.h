@@ -1,0 +1,103 @@
+// A recipe: a Lua file that returns a table, its parameters, its scene, its frames and their
+// passes.
+//
+//   gl::Graphics graphics(context::create(), 512, 512);
+//   recipe::Recipe recipe(graphics, "scripts/projected_stencil.lua");
+//   recipe.set("light", "2,4,1");
+//   recipe.draw();                       // setup, before the first frame, is part of it
+//   image::Image picture = graphics.frame.read_color();
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/graphics.h"
+#include "lua/boxes.h"
+#include "lua/stage.h"
+#include "lua/state.h"
+
+namespace shadowlab::recipe {
+
+/// What a recipe says of itself.
+struct Description {
+  std::string title;
+  std::string lecture;
+  std::string scene;  ///< the scene's name; "" for a recipe without one
+};
+
+/// A parameter by its name, in alphabetical order.
+struct NamedParameter {
+  std::string name;
+  lua::Parameter parameter;
+};
+
+/// One pass of the last frame.
+struct PassTime {
+  std::string name;
+  double milliseconds = 0;  ///< between two glFinish, the pass alone
+};
+
+struct Options {
+  lua::Limits limits;
+  lua::PrintSink print;              ///< where print goes; nowhere if empty
+  std::optional<std::string> scene;  ///< in place of the recipe's own
+  bool time_passes = false;          ///< glFinish around each pass
+};
+
+class Recipe : private lua::PassListener {
+ public:
+  /// Runs the file and loads its scene; draws nothing. Throws InputError for what is wrong with it.
+  Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Options options = {});
+  ~Recipe() override;
+  Recipe(const Recipe&) = delete;
+  Recipe& operator=(const Recipe&) = delete;
+
+  const Description& description() const { return description_; }
+  const std::vector<NamedParameter>& parameters() const { return parameters_; }
+  const scene::Scene* scene() const { return scene_.get(); }
+  lua::State& state() { return state_; }
+
+  /// Sets a parameter from a text. Throws InputError for an unknown name, with the near one, or for
+  /// a value that it does not take.
+  void set(const std::string& name, const std::string& value);
+
+  /// One frame at `time` seconds, into the main frame: GL's defaults, setup if it is the first,
+  /// draw. Throws InputError where the recipe fails; the frame is then incomplete.
+  void draw(double time = 0);
+
+  /// The passes of the last frame, in their order; times where the options asked for them.
+  const std::vector<PassTime>& passes() const { return passes_; }
+
+  /// Called at the end of each pass with its index, while its results are in the buffers.
+  void on_pass_end(std::function<void(std::size_t)> listener) { pass_ended_ = std::move(listener); }
+
+ private:
+  void begin_pass(const std::string& name) override;
+  void end_pass() override;
+  void read_table();
+  void read_parameters(int table);
+  void load_scene(const std::optional<std::string>& override_name);
+  void set_up();
+  void push_context(double time);
+  void push_function(const char* name);
+
+  gl::Graphics& graphics_;
+  std::filesystem::path file_;
+  bool time_passes_;
+  lua::State state_;
+  lua::Stage stage_;
+  Description description_;
+  std::vector<NamedParameter> parameters_;
+  lua::SceneBox scene_;
+  std::vector<PassTime> passes_;
+  std::function<void(std::size_t)> pass_ended_;
+  double pass_began_ = 0;
+  bool set_up_ = false;
+  int table_ = LUA_NOREF;    ///< the recipe's table, in Lua's registry
+  int context_ = LUA_NOREF;  ///< r, which carries the recipe's resources from frame to frame
+};
+
+}  // namespace shadowlab::recipe
