@@ -40,7 +40,6 @@ std::vector<glm::dvec3> parting_directions(const Pyramid& pyramid) {
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec3 side = pyramid.side(i);
     directions.push_back(glm::cross(i % 2 == 0 ? right : up, side));
-    directions.push_back(glm::cross(i % 2 == 0 ? up : right, side));
     edges.push_back(side);
   }
   for (const glm::dvec3& edge : edges) {
