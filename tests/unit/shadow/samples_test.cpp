@@ -137,8 +137,8 @@ TEST(Samples, of_owen_are_each_uniform_over_the_seeds) {
 }
 
 // The published figures of visibility on random edges at N = 16, 64, 256, 1024, within a factor
-// of 1.6: the distribution of edges is ours. Not the grid's, which depend on that most (an edge
-// through the centre errs by 0, by symmetry): only that it beats every other here.
+// of 1.6: the distribution of edges is ours. The grid's own depend on that most (an edge through
+// the centre errs by 0, by symmetry), so it is held to Owen's.
 TEST(Samples, have_the_known_error_on_random_edges) {
   struct Row {
     Pattern pattern;
