@@ -7,8 +7,7 @@
 namespace shadowlab::lua {
 namespace {
 
-// A new coroutine starts a count of its own, so up to an interval of its instructions goes unseen.
-constexpr std::uint64_t cost_of_switch = 50;
+constexpr std::uint64_t cost_of_switch = 50;  // in instructions
 // coroutine.close runs __close functions; Lua 5.4.4 does not count that against the depth of C
 // calls.
 constexpr int deepest_close = 8;
@@ -35,6 +34,7 @@ lua_State* coroutine_at(lua_State* L, int index) {
 int create(lua_State* L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   State& state = State::of(L);
+  // Its count is its own, so up to an interval of its instructions goes unseen.
   state.check_budget(static_cast<std::uint64_t>(state.budget().interval()));
   lua_State* co = lua_newthread(L);
   lua_pushcfunction(co, guarded<body>);

@@ -1,6 +1,7 @@
 // Scripts that never stop: each must end within the budget, by the count of instructions and by the
 // clock, in one sentence.
 #include <chrono>
+#include <thread>
 
 #include "script.h"
 
@@ -25,14 +26,16 @@ void expect_end(const Attack& attack, const Limits& limits) {
   EXPECT_FALSE(script.escaped());
 }
 
-TEST_P(Endless, ends_with_the_count) { expect_end(GetParam(), small_limits()); }
-
-TEST_P(Endless, ends_with_the_clock) {
+Limits clock_limits(double seconds) {
   Limits limits = small_limits();
   limits.instructions = uncounted;
-  limits.seconds = 0.1;
-  expect_end(GetParam(), limits);
+  limits.seconds = seconds;
+  return limits;
 }
+
+TEST_P(Endless, ends_with_the_count) { expect_end(GetParam(), small_limits()); }
+
+TEST_P(Endless, ends_with_the_clock) { expect_end(GetParam(), clock_limits(0.1)); }
 
 INSTANTIATE_TEST_SUITE_P(
     Sandbox, Endless,
@@ -149,6 +152,32 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"undefined_names", "while true do pcall(function() return undefined_name end) end"},
         Attack{"print_flood", "while true do print 'x' end"}),
     name_of);
+
+TEST(Sandbox, the_clock_ends_scripts_in_several_threads) {
+  std::string one, other;
+  {
+    std::jthread first([&] { one = Script(clock_limits(0.1)).error("while true do end"); });
+    std::jthread second([&] { other = Script(clock_limits(0.2)).error("while true do end"); });
+  }
+  EXPECT_THAT(one, HasSubstr("more than 0.1 seconds"));
+  EXPECT_THAT(other, HasSubstr("more than 0.2 seconds"));
+}
+
+TEST(Sandbox, the_clock_goes_on_for_a_script_that_ran_another) {
+  // The inner script's alarm takes the place of the outer one's while it runs, and no longer.
+  Script outer(clock_limits(0.2)), inner(clock_limits(0.1));
+  lua_pushlightuserdata(outer.raw(), &inner);
+  lua_pushcclosure(
+      outer.raw(),
+      [](lua_State* L) {
+        auto* const other = static_cast<Script*>(lua_touserdata(L, lua_upvalueindex(1)));
+        EXPECT_THAT(other->error("while true do end"), HasSubstr("more than 0.1 seconds"));
+        return 0;
+      },
+      1);
+  lua_setglobal(outer.raw(), "run_other");
+  EXPECT_THAT(outer.error("run_other() while true do end"), HasSubstr("more than 0.2 seconds"));
+}
 
 TEST(Sandbox, not_even_a_native_function_runs_after_the_end) {
   Script script;

@@ -84,29 +84,30 @@ TEST(Sandbox, time_ends_what_instructions_do_not) {
 
 TEST(Sandbox, deep_recursion_in_protected_calls_ends) {
   Limits limits = small_limits();
-  limits.memory = std::size_t{64} << 20;
-  limits.instructions = 100'000'000;
+  limits.memory = std::size_t{512} << 20;
+  limits.instructions = 1'000'000'000;
   limits.seconds = 20;
-  const Attack attacks[] = {
-      {"pcall", "local function f() return pcall(f) end return f()"},
-      {"xpcall", "local function f() return xpcall(f, f) end return f()"},
-      {"closing",
-       "local m = {} local all = {}\n"
-       "m.__close = function(t) if t.next then coroutine.close(t.next) end end\n"
-       "local last\n"
-       "for i = 1, 10000 do\n"
-       "  local t = setmetatable({next = last}, m)\n"
-       "  last = coroutine.create(function() local x <close> = t coroutine.yield() end)\n"
-       "  coroutine.resume(last)\n"
-       "end\n"
-       "return coroutine.close(last)"}};
-  for (const Attack& attack : attacks) {
-    try {
-      Script(limits).value(attack.text);
-    } catch (const InputError& problem) {
-      EXPECT_THAT(problem.what(), StartsWith("a.lua:")) << attack.name;
-    }
-  }
+  Script script(limits);
+  EXPECT_THAT(script.value("local deepest = 0\n"
+                           "local function f(n) deepest = n return pcall(f, n + 1) end\n"
+                           "f(1) return deepest > 100 and 'came back'"),
+              "came back");
+  EXPECT_EQ(script.value("local function f() return xpcall(f, f) end f() return 'came back'"),
+            "came back");
+  // Stock Lua 5.4.4 crashes here: each close begins to count its depth anew.
+  EXPECT_EQ(script.value("local failed = false\n"
+                         "local function close(t)\n"
+                         "  if t.next and not coroutine.close(t.next) then failed = true end end\n"
+                         "local last\n"
+                         "for i = 1, 100000 do\n"
+                         "  local m, t = {}, {next = last}\n"
+                         "  setmetatable(t, m) m.__close = close\n"
+                         "  last = coroutine.create(function() local x <close> = t "
+                         "coroutine.yield() end)\n"
+                         "  coroutine.resume(last)\n"
+                         "end\n"
+                         "coroutine.close(last) return failed"),
+            "true");
 }
 
 TEST(Sandbox, a_range_that_no_table_holds_is_refused_at_once) {
