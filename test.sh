@@ -31,7 +31,7 @@ printf 'subdirs("../%s")\n' "${presets[@]}" >build/tests/CTestTestfile.cmake
 # tests the same driver.
 exec {number_of_display}< <(exec Xvfb -displayfd 1 -screen 0 1024x768x24 -nolisten tcp 2>build/xvfb.log 9>&-)
 xvfb=$!
-trap 'kill "$xvfb" 2>/dev/null || true' EXIT
+trap 'kill "$xvfb" 2>/dev/null && wait "$xvfb" 2>/dev/null || true' EXIT
 if read -r -t 20 -u "$number_of_display" number; then
   export DISPLAY=:$number
 else

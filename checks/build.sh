@@ -2,6 +2,10 @@
 # shellcheck shell=bash
 # Needs stop() of packages.sh.
 
+# Bash runs these when the command under way has ended, before what the script says about its failure.
+trap 'echo; exit 130' INT
+trap 'exit 143' TERM
+
 # How many compilers may run at once: one a core, while each has 1.5 GB for this project's templates.
 jobs_here() {
   local cores megabytes limit
@@ -48,7 +52,7 @@ show_progress() {
 
 # The compiler's, linker's or CMake's first error in a log, with what it points at.
 first_error() {
-  grep -m1 -A4 -E '(error|Error|undefined reference|multiple definition).*' "$1" || tail -n 5 "$1"
+  grep -m1 -A4 -E 'error:|CMake Error|undefined reference|multiple definition' "$1" || tail -n 5 "$1"
 }
 
 # configure PRESET: does nothing where the build folder is of this checkout and newer than the presets;

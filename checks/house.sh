@@ -16,7 +16,7 @@ only() {
     fail "$line: allowed only in ${1//|/, }"
   done < <(grep -rnE "#include *[<\"]($2)" src | grep -vE "^src/($1)/" || true)
 }
-only 'lua' 'lua|lauxlib|lualib'
+only 'lua' '(lua|lauxlib|lualib)\.h'
 only 'gl|context' 'GL/'
 only 'context' 'EGL/|GLFW/|GL/(osmesa|glx)|X11/|wayland'
 
