@@ -1,5 +1,6 @@
 #include "gl/accumulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -56,7 +57,8 @@ void main() {
   if (operation == 2) {
     result = wrapped(before + bias);
   } else if (operation == 3) {
-    result = wrapped(ivec4(vec4(before) * factor));
+    vec4 scaled = vec4(before) * factor;
+    result = wrapped(ivec4(mix(scaled, vec4(0), greaterThanEqual(abs(scaled), vec4(2147483648.0)))));
   } else {
     ivec4 c = ivec4(round(texelFetch(color, at, 0) * 255.0));
     ivec4 added = ivec4(texelFetch(table, ivec2(c.r, 0), 0).r, texelFetch(table, ivec2(c.g, 0), 0).r,
@@ -106,6 +108,12 @@ void main() {
 // C's conversion of an out-of-range float is undefined; what x86 gives (and Mesa therefore shows)
 // is the lowest integer, whose low bits are 0.
 int truncated(float value) { return std::abs(value) < 2147483648.0f ? static_cast<int>(value) : 0; }
+
+int wrapped(int value, int half) {
+  const auto mask = static_cast<unsigned>(2 * half - 1);
+  return static_cast<int>((static_cast<unsigned>(value) + static_cast<unsigned>(half)) & mask) -
+         half;
+}
 
 }  // namespace
 
@@ -179,26 +187,29 @@ void Accumulation::allocate() {
 void Accumulation::clear() {
   const Untraced untraced(context_);
   const SavedState saved(gl_);
+  if (saved.discards_rasterization() || saved.draw_framebuffer() != context_.main_frame) return;
   allocate();
   gl_.BindFramebuffer.unrecorded(GL_FRAMEBUFFER, framebuffers_[current_]);
-  if (const auto box = saved.scissor()) {
-    gl_.Enable.unrecorded(GL_SCISSOR_TEST);
-    gl_.Scissor.unrecorded((*box)[0], (*box)[1], (*box)[2], (*box)[3]);
-  }
+  if (const auto box = saved.scissor()) set_scissor(*box);
   if (integral()) {
+    // OpenGL 2.1, table 2.9: 1.0 is the largest integer and -1.0 the smallest, one unit below its
+    // negative; rounded as Mesa rounds.
     std::array<GLint, 4> value{};
-    const auto one = static_cast<float>(format_of(storage_).half - 1);
+    const auto range = static_cast<float>(2 * format_of(storage_).half - 1);
     for (std::size_t i = 0; i < 4; ++i) {
-      value[i] = truncated(std::fmax(-1.0f, std::fmin(1.0f, clear_value_[i])) * one);
+      value[i] = (static_cast<int>(range * std::clamp(clear_value_[i], -1.0f, 1.0f)) - 1) / 2;
     }
     gl_.ClearBufferiv.unrecorded(GL_COLOR, 0, value);
   } else {
     gl_.ClearBufferfv.unrecorded(GL_COLOR, 0, clear_value_);
   }
-  gl_.Disable.unrecorded(GL_SCISSOR_TEST);
 }
 
 void Accumulation::run(GLenum operation, GLfloat value) {
+  for (const GLenum query : active_queries(gl_)) {
+    if (query == GL_TIME_ELAPSED) continue;
+    throw InputError("the query that is under way would count the accumulation; end it first");
+  }
   const Untraced untraced(context_);
   const SavedState saved(gl_);
   if (saved.draw_framebuffer() != context_.main_frame ||
@@ -207,30 +218,35 @@ void Accumulation::run(GLenum operation, GLfloat value) {
         "only the main frame has an accumulation buffer; call "
         "gl.BindFramebuffer(gl.FRAMEBUFFER, 0) first");
   }
+  if (saved.discards_rasterization()) return;
+  const bool reads_color = operation == GL_ACCUM || operation == GL_LOAD;
+  if (reads_color && saved.read_buffer() == GL_NONE) return;
   allocate();
   gl_.BindVertexArray.unrecorded(vertex_array_);
   const std::array<GLint, 4> box =
       saved.scissor().value_or(std::array<GLint, 4>{0, 0, frame_.width(), frame_.height()});
   if (operation == GL_RETURN) {
     const auto mask = saved.color_mask();
-    gl_.ColorMask.unrecorded(mask[0], mask[1], mask[2], mask[3]);
-    gl_.Enable.unrecorded(GL_SCISSOR_TEST);
-    gl_.Scissor.unrecorded(box[0], box[1], box[2], box[3]);
+    gl_.BindFramebuffer.unrecorded(GL_DRAW_FRAMEBUFFER, 0);
+    gl_.ColorMaski.unrecorded(0, mask[0], mask[1], mask[2], mask[3]);
+    set_scissor(box);
     give_back(value);
-    gl_.Disable.unrecorded(GL_SCISSOR_TEST);
   } else {
     accumulate(operation, value, box);
   }
 }
 
+void Accumulation::set_scissor(const std::array<GLint, 4>& box) {
+  gl_.Scissor.unrecorded(box[0], box[1], box[2], box[3]);
+}
+
 void Accumulation::upload_table(GLfloat value) {
-  const float scale = value * static_cast<float>(format_of(storage_).half - 1);
-  const int mask = 2 * format_of(storage_).half - 1;
+  const int half = format_of(storage_).half;
+  const float scale = value * static_cast<float>(half - 1);
   std::array<GLint, 256> added{};
   for (int c = 0; c < 256; ++c) {
-    const float color = static_cast<float>(c) / 255.0f;
-    added[static_cast<std::size_t>(c)] =
-        ((truncated(color * scale) + format_of(storage_).half) & mask) - format_of(storage_).half;
+    const float color = static_cast<float>(c) * (1.0f / 255.0f);  // not c / 255: Mesa's rounding
+    added[static_cast<std::size_t>(c)] = wrapped(truncated(color * scale), half);
   }
   const bool created = table_ == 0;
   if (created) gl_.GenTextures.unrecorded(1, {&table_, 1});
@@ -251,8 +267,6 @@ void Accumulation::accumulate(GLenum operation, GLfloat value, std::array<GLint,
   gl_.BindFramebuffer.unrecorded(GL_FRAMEBUFFER, framebuffers_[1 - current_]);
   gl_.Viewport.unrecorded(0, 0, frame_.width(), frame_.height());
   gl_.ActiveTexture.unrecorded(GL_TEXTURE2);
-  GLint third = 0;
-  gl_.GetIntegerv.unrecorded(GL_TEXTURE_BINDING_2D, {&third, 1});
   if (integral() && step < 2) upload_table(value);
   gl_.ActiveTexture.unrecorded(GL_TEXTURE1);
   gl_.BindTexture.unrecorded(GL_TEXTURE_2D, frame_.color());
@@ -269,8 +283,6 @@ void Accumulation::accumulate(GLenum operation, GLfloat value, std::array<GLint,
         {"factor", {value}},
         {"half_range", {static_cast<double>(format_of(storage_).half)}},
         {"box", {box.begin(), box.end()}}});
-  gl_.ActiveTexture.unrecorded(GL_TEXTURE2);
-  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, static_cast<GLuint>(third));
   current_ = 1 - current_;
 }
 

@@ -40,11 +40,13 @@ class Accumulation {
   AccumStorage storage() const { return storage_; }
 
   void set_clear_value(std::array<GLfloat, 4> value) { clear_value_ = value; }
+  /// glClear of it: within the scissor box in force; nothing unless the main frame is bound.
   void clear();
 
   /// GL_ACCUM, GL_LOAD, GL_ADD, GL_MULT or GL_RETURN with `value`, within the scissor box in force;
   /// RETURN honours the colour mask. Throws InputError unless the main frame is bound for drawing
-  /// and reading: nothing else has an accumulation buffer.
+  /// and reading (nothing else has an accumulation buffer), and while a query that would count the
+  /// core's own drawing is under way.
   void run(GLenum operation, GLfloat value);
 
   /// Back to GL's defaults at the start of a frame: snorm16, clear value 0. The content is kept as
@@ -59,6 +61,7 @@ class Accumulation {
   }
   void allocate();
   void release();
+  void set_scissor(const std::array<GLint, 4>& box);
   void upload_table(GLfloat value);
   void accumulate(GLenum operation, GLfloat value, std::array<GLint, 4> box);
   void give_back(GLfloat value);

@@ -1,5 +1,6 @@
 #include "gl/state.h"
 
+#include <algorithm>
 #include <span>
 
 namespace shadowlab::gl {
@@ -16,18 +17,30 @@ bool on_by_default(GLenum capability) {
   return capability == GL_DITHER || capability == GL_MULTISAMPLE;
 }
 
-// What would change a full-screen pass. Blending is kept for each draw buffer apart.
+// What would change a full-screen pass. Blending is switched for the first draw buffer alone,
+// which is all that the pass has, and scissoring by the box: both are switches in several places.
 constexpr std::array pass_capabilities{GL_COLOR_LOGIC_OP,     GL_CULL_FACE,
                                        GL_DEPTH_TEST,         GL_STENCIL_TEST,
                                        GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
                                        GL_CLIP_DISTANCE0,     GL_CLIP_DISTANCE1,
                                        GL_CLIP_DISTANCE2,     GL_CLIP_DISTANCE3};
-constexpr GLuint draw_buffers = 8;
 constexpr GLuint texture_units = 16;
+constexpr GLsizei largest = 16384;  // side of a main frame
 
 }  // namespace
 
+std::vector<GLenum> active_queries(const Functions& gl) {
+  std::vector<GLenum> targets;
+  for (const Constant& target : QueryTarget::values) {
+    GLint query = 0;
+    gl.GetQueryiv.unrecorded(target.value, GL_CURRENT_QUERY, {&query, 1});
+    if (query != 0) targets.push_back(target.value);
+  }
+  return targets;
+}
+
 void reset_state(const Functions& gl, int width, int height) {
+  for (const GLenum target : active_queries(gl)) gl.EndQuery.unrecorded(target);
   gl.BindFramebuffer.unrecorded(GL_FRAMEBUFFER, 0);
   gl.BindRenderbuffer.unrecorded(GL_RENDERBUFFER, 0);
   gl.DrawBuffers.unrecorded(1, std::array<GLenum, 1>{GL_BACK});
@@ -82,16 +95,14 @@ SavedState::SavedState(const Functions& gl) : gl_(gl) {
     if (gl.IsEnabled.unrecorded(capability)) enabled_.push_back(capability);
     gl.Disable.unrecorded(capability);
   }
-  for (GLuint buffer = 0; buffer < draw_buffers; ++buffer) {
-    if (gl.IsEnabledi.unrecorded(GL_BLEND, buffer)) blended_.push_back(buffer);
-  }
-  gl.Disable.unrecorded(GL_BLEND);
+  blended_ = gl.IsEnabledi.unrecorded(GL_BLEND, 0);
+  gl.Disablei.unrecorded(GL_BLEND, 0);
   scissored_ = gl.IsEnabled.unrecorded(GL_SCISSOR_TEST);
-  gl.Disable.unrecorded(GL_SCISSOR_TEST);
   gl.GetIntegerv.unrecorded(GL_SCISSOR_BOX, scissor_);
+  gl.Scissor.unrecorded(0, 0, largest, largest);
   gl.GetIntegerv.unrecorded(GL_VIEWPORT, viewport_);
   gl.GetBooleanv.unrecorded(GL_COLOR_WRITEMASK, color_mask_);
-  gl.ColorMask.unrecorded(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.ColorMaski.unrecorded(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   polygon_mode_ = integer(gl, GL_POLYGON_MODE);
   gl.PolygonMode.unrecorded(GL_FRONT_AND_BACK, GL_FILL);
   unit_ = integer(gl, GL_ACTIVE_TEXTURE);
@@ -104,6 +115,7 @@ SavedState::SavedState(const Functions& gl) : gl_(gl) {
   vertex_array_ = integer(gl, GL_VERTEX_ARRAY_BINDING);
   draw_framebuffer_ = integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
   read_framebuffer_ = integer(gl, GL_READ_FRAMEBUFFER_BINDING);
+  read_buffer_ = integer(gl, GL_READ_BUFFER);
 }
 
 SavedState::~SavedState() {
@@ -119,12 +131,15 @@ SavedState::~SavedState() {
   }
   gl_.ActiveTexture.unrecorded(name(unit_));
   gl_.PolygonMode.unrecorded(GL_FRONT_AND_BACK, name(polygon_mode_));
-  gl_.ColorMask.unrecorded(color_mask_[0], color_mask_[1], color_mask_[2], color_mask_[3]);
+  gl_.ColorMaski.unrecorded(0, color_mask_[0], color_mask_[1], color_mask_[2], color_mask_[3]);
   gl_.Viewport.unrecorded(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
   gl_.Scissor.unrecorded(scissor_[0], scissor_[1], scissor_[2], scissor_[3]);
-  if (scissored_) gl_.Enable.unrecorded(GL_SCISSOR_TEST);
-  for (const GLuint buffer : blended_) gl_.Enablei.unrecorded(GL_BLEND, buffer);
+  if (blended_) gl_.Enablei.unrecorded(GL_BLEND, 0);
   for (const GLenum capability : enabled_) gl_.Enable.unrecorded(capability);
+}
+
+bool SavedState::discards_rasterization() const {
+  return std::find(enabled_.begin(), enabled_.end(), GL_RASTERIZER_DISCARD) != enabled_.end();
 }
 
 std::optional<std::array<GLint, 4>> SavedState::scissor() const {
