@@ -1,8 +1,10 @@
 // The C++ values that recipes hold, beside vectors, matrices and GL objects.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -117,6 +119,17 @@ struct DrawCall {
 };
 void draw(const DrawCall& call, const MeshBox& mesh, const glm::dmat4& model,
           const scene::Material& material, std::string_view name);
+
+/// A uniform that the core derives; set where the shader declares it.
+struct Derived {
+  const char* name;
+  std::vector<double> components;
+};
+
+/// The same for anything that is drawn by `draw_elements`, `indices` of them.
+void draw_with(const DrawCall& call, const glm::dmat4& model, const scene::Material& material,
+               std::size_t indices, std::span<const Derived> derived, std::string_view name,
+               const std::function<void()>& draw_elements);
 
 /// Sets one uniform of `shader` from the Lua value at `index`: a number, a boolean, a vector, a
 /// matrix, a table of numbers. Throws InputError for a name that no stage declares.

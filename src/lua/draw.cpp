@@ -90,8 +90,15 @@ void set_uniform(lua_State* L, gl::Shader& shader, std::string_view name, int in
   }
 }
 
-void draw(const DrawCall& call, const MeshBox& mesh, const glm::dmat4& own_model,
+void draw(const DrawCall& call, const MeshBox& mesh, const glm::dmat4& model,
           const scene::Material& material, std::string_view name) {
+  const gl::MeshBuffers& buffers = Stage::of(call.L).graphics.meshes.get(mesh);
+  draw_with(call, model, material, mesh->indices.size(), {}, name, [&] { buffers.draw(); });
+}
+
+void draw_with(const DrawCall& call, const glm::dmat4& own_model, const scene::Material& material,
+               std::size_t indices, std::span<const Derived> derived, std::string_view name,
+               const std::function<void()>& draw_elements) {
   lua_State* L = call.L;
   Stage& stage = Stage::of(L);
   gl::Shader& shader = *read_box<ShaderBox>(L, call.shader, "what a draw is given first");
@@ -129,12 +136,14 @@ void draw(const DrawCall& call, const MeshBox& mesh, const glm::dmat4& own_model
     set_derived(shader, "light", glm::value_ptr(in_eye_space), 4);
   }
   set_derived(shader, "color", glm::value_ptr(material.color), 3);
+  for (const Derived& uniform : derived) {
+    set_derived(shader, uniform.name, uniform.components.data(), uniform.components.size());
+  }
   if (table) set_given(L, shader, call.uniforms);
 
-  const gl::MeshBuffers& buffers = stage.graphics.meshes.get(mesh);
-  stage.state.check_budget(mesh->indices.size());
+  stage.state.check_budget(indices);
   shader.use();
-  buffers.draw();
+  draw_elements();
   if (gl::Recorder* recorder = stage.graphics.recorder()) recorder->comment(name);
   stage.graphics.vertices.bind_array(0);
   if (const GLenum error = stage.graphics.gl.GetError.pointer(); error != GL_NO_ERROR) {

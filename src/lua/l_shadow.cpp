@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "lua/boxes.h"
+#include "lua/truth_pool.h"
+#include "lua/volume_pool.h"
 #include "shadow/infinite_perspective.h"
 #include "shadow/planar.h"
 
@@ -46,6 +48,13 @@ int planar_along(lua_State* L) {
   return 1;
 }
 
+int plane_toward(lua_State* L) {
+  const auto plane = plane_argument(L, 1, "plane_toward");
+  push(L,
+       shadow::plane_toward(plane, read_light(L, 2, "argument 2 of shadow.plane_toward").position));
+  return 1;
+}
+
 int parallelogram(lua_State* L) {
   const auto b = vector_argument(L, 1, "parallelogram"),
              ex = vector_argument(L, 2, "parallelogram"),
@@ -79,6 +88,10 @@ constexpr Entry functions[] = {
      "The projection onto plane from a point.", guarded<planar_from_point>},
     {"planar_along", "shadow.planar_along(plane, direction) -> mat4",
      "The projection onto plane along a direction.", guarded<planar_along>},
+    {"plane_toward", "shadow.plane_toward(plane, light) -> vec4",
+     "plane with a unit normal and the light on its positive side: what a clip distance takes to "
+     "keep the part of a caster that can shadow the plane.",
+     guarded<plane_toward>},
     {"parallelogram", "shadow.parallelogram(corner, ex, ey, light) -> mat4",
      "Heckbert and Herf's matrix: the world onto the unit square of a receiver's parallelogram.",
      guarded<parallelogram>},
@@ -96,8 +109,12 @@ void open_shadow(Stage& stage) {
   lua_State* L = stage.state.raw();
   lua_newtable(L);
   set_functions(L, functions);
+  set_functions(L, volume_functions());
+  set_functions(L, truth_functions());
   refuse_unknown_names(L, -1, "shadow");
   lua_setglobal(L, "shadow");
+  open_volume(stage);
+  open_truth(stage);
 }
 
 }  // namespace shadowlab::lua

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "lua/truth_pool.h"
 #include "lua/value.h"
+#include "lua/volume_pool.h"
 
 namespace shadowlab::lua {
 namespace {
@@ -54,6 +56,17 @@ std::filesystem::path find_file(const Stage& stage, const std::string& name) {
   }
   throw InputError(
       fmt::format("there is no file \"{}\" beside the recipe or in shadowlab's folders", name));
+}
+
+void begin_frame(Stage& stage) {
+  stage.graphics.begin_frame();
+  stage.volumes->begin_frame();
+  stage.truths->begin_frame();
+}
+
+void end_setup(Stage& stage) {
+  stage.graphics.keep_uniforms();
+  stage.volumes->keep_all();
 }
 
 void open_all(Stage& stage) {

@@ -14,6 +14,9 @@
 
 namespace shadowlab::lua {
 
+class VolumePool;
+class TruthPool;
+
 /// Told of every pass(name, fn) that a recipe runs.
 class PassListener {
  public:
@@ -33,6 +36,9 @@ struct Stage {
   /// Where files that a recipe names are looked for, first to last: beside it, then shadowlab's
   /// own.
   std::vector<std::filesystem::path> folders;
+  /// The shadow volumes that the recipe asked for.
+  std::shared_ptr<VolumePool> volumes = nullptr;
+  std::shared_ptr<TruthPool> truths = nullptr;
   /// Picture width over height, which mesh and scene functions need for projections.
   double aspect() const {
     return static_cast<double>(graphics.width()) / static_cast<double>(graphics.height());
@@ -45,6 +51,11 @@ struct Stage {
 
 /// Opens every module: vec2 … quat, gl, shader, mesh, scene, shadow, fbo, pass, param.
 void open_all(Stage& stage);
+
+/// What was given out for the last frame may be used again for this one.
+void begin_frame(Stage& stage);
+/// What setup was given stays.
+void end_setup(Stage& stage);
 
 void open_gl(Stage& stage);
 void open_shader(Stage& stage);

@@ -168,16 +168,16 @@ void Recipe::set_up() {
     state_.call(1, 0);
     graphics_.trace_into(recorder);
   }
-  graphics_.keep_uniforms();
+  lua::end_setup(stage_);
   set_up_ = true;
 }
 
 void Recipe::draw(double time) {
   graphics_.context().make_current();
-  graphics_.begin_frame();
+  lua::begin_frame(stage_);
   if (!set_up_) {
     set_up();
-    graphics_.begin_frame();
+    lua::begin_frame(stage_);
   }
   passes_.clear();
   push_function("draw");

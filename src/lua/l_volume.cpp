@@ -1,0 +1,279 @@
+// shadow.volume and what belongs to it: adjacency, silhouettes, z-pass or z-fail.
+#include <fmt/format.h>
+
+#include "lua/boxes.h"
+#include "lua/volume_pool.h"
+#include "shadow/silhouette.h"
+#include "shadow/volume_lecture.h"
+#include "shadow/zfail.h"
+
+namespace shadowlab::lua {
+namespace {
+
+using shadow::Edges;
+
+// A mesh, or an object of a scene with its own model matrix.
+MeshBox mesh_argument(lua_State* L, int index, const char* function) {
+  if (const auto* object = test_box<ObjectBox>(L, index)) return object->object().mesh;
+  return read_box<MeshBox>(L, index, fmt::format("argument {} of shadow.{}", index, function));
+}
+
+glm::dmat4 model_argument(lua_State* L, int index, const char* function) {
+  if (lua_isnoneornil(L, index)) {
+    const auto* object = test_box<ObjectBox>(L, 1);
+    return object ? object->object().model : glm::dmat4(1);
+  }
+  return read<glm::dmat4>(
+      L, index,
+      fmt::format("argument {} of shadow.{} (the model matrix)", index, function).c_str());
+}
+
+struct Options {
+  Edges edges = Edges::silhouette;
+  bool lecture = false;  // by the lecture's loop over faces
+  shadow::Caps caps = shadow::Caps::both;
+  double extrusion = shadow::infinite;
+};
+
+Options read_options(lua_State* L, int index) {
+  Options options;
+  if (lua_isnoneornil(L, index)) return options;
+  if (lua_type(L, index) != LUA_TTABLE) {
+    throw InputError(
+        "shadow.volume's options are a table, as { edges = \"silhouette\", caps = true }; it is " +
+        describe(L, index));
+  }
+  static constexpr std::string_view names[] = {"edges", "caps", "extrude"};
+  lua_pushnil(L);
+  while (lua_next(L, index)) {
+    const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
+    const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    if (key == "edges") {
+      options.lecture = text == "all" || text == "lit";
+      options.edges = text == "all" ? Edges::all : text == "lit" ? Edges::lit : Edges::silhouette;
+      if (!options.lecture && text != "silhouette") {
+        throw InputError("shadow.volume: edges is \"all\", \"lit\" or \"silhouette\"; it is " +
+                         (text.empty() ? describe(L, -1) : text));
+      }
+    } else if (key == "caps") {
+      options.caps = lua_toboolean(L, -1) ? shadow::Caps::both : shadow::Caps::none;
+    } else if (key == "extrude") {
+      if (text != "infinite") options.extrusion = read<double>(L, -1, "extrude");
+      if (!(options.extrusion > 0))
+        throw InputError("shadow.volume: extrude is \"infinite\" or a distance over 0");
+    } else {
+      throw InputError(
+          fmt::format("shadow.volume has no option {}{}", key, did_you_mean(key, names)));
+    }
+    lua_pop(L, 1);
+  }
+  return options;
+}
+
+void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& options) {
+  VolumeSource& source = *volume.source;
+  const auto mesh =
+      shadow::volume_lecture(source.adjacency, source.next, volume.light, options.edges);
+  if (!source.lecture_vertices) {
+    // The extruded ones are left to the shader, as the builder's are.
+    std::vector<glm::vec4> doubled;
+    for (const glm::vec3& p : source.adjacency.positions) {
+      doubled.emplace_back(p, 1);
+      doubled.emplace_back(p, 0);
+    }
+    source.lecture_vertices =
+        std::make_shared<gl::VolumeVertices>(graphics.gl, graphics.calls(), doubled);
+  }
+  if (!volume.lecture_buffers) {
+    volume.lecture_buffers =
+        std::make_unique<gl::VolumeBuffers>(graphics.gl, graphics.calls(), source.lecture_vertices);
+  }
+  volume.lecture_buffers->upload(mesh.indices);
+  volume.drawn = volume.lecture_buffers.get();
+  volume.sides = volume.all = mesh.indices.size();
+}
+
+int build(lua_State* L) {
+  const MeshBox mesh = mesh_argument(L, 1, "volume");
+  const glm::dmat4 model = model_argument(L, 2, "volume");
+  const auto light = read_light(L, 3, "argument 3 of shadow.volume (the light)");
+  const Options options = read_options(L, 4);
+  Stage& stage = Stage::of(L);
+  stage.state.check_budget(mesh->indices.size());
+  VolumeBox& volume = stage.volumes->next(mesh);
+  volume->model = model;
+  // The very floats that the shader extrudes from, so that its sides and these decisions agree.
+  volume->light = glm::dvec4(glm::vec4(shadow::light_in_model_space(model, light.position)));
+  volume->extrusion = std::isinf(options.extrusion) ? 0 : options.extrusion;
+  if (options.lecture) {
+    build_by_lecture(stage.graphics, *volume, options);
+  } else {
+    shadow::VolumeOptions how;
+    how.caps = options.caps;
+    how.reach = volume->extrusion > 0 ? shadow::Reach::finite : shadow::Reach::infinite;
+    how.handedness = glm::determinant(glm::dmat3(model)) < 0 ? shadow::Handedness::mirrored
+                                                             : shadow::Handedness::kept;
+    const auto indices = volume->source->builder.build(volume->light, how);
+    volume->buffers->upload(indices.all);
+    volume->drawn = volume->buffers.get();
+    volume->sides = indices.sides.size();
+    volume->all = indices.all.size();
+  }
+  push_box<VolumeBox>(L, volume);
+  return 1;
+}
+
+enum class Part { all, sides };
+
+void draw_volume(lua_State* L, Part part) {
+  VolumeBox& volume = read_box<VolumeBox>(L, 1, "a volume's draw: self");
+  const std::size_t count = part == Part::all ? volume->all : volume->sides;
+  const glm::dvec4& light = volume->light;
+  const Derived derived[] = {{"volume_light", {light.x, light.y, light.z, light.w}},
+                             {"volume_extrusion", {volume->extrusion}}};
+  draw_with({L, 2, 3}, volume->model, {}, count, derived,
+            part == Part::all ? "shadow volume" : "sides of a shadow volume",
+            [&] { volume->drawn->draw(0, count); });
+}
+
+int draw_all(lua_State* L) {
+  draw_volume(L, Part::all);
+  return 0;
+}
+
+int draw_sides(lua_State* L) {
+  draw_volume(L, Part::sides);
+  return 0;
+}
+
+int needs_zfail(lua_State* L) {
+  const auto& camera = read_box<CameraBox>(L, 1, "argument 1 of shadow.needs_zfail").camera();
+  const auto light = read_light(L, 2, "argument 2 of shadow.needs_zfail");
+  const MeshBox mesh = mesh_argument(L, 3, "needs_zfail");
+  const auto* object = test_box<ObjectBox>(L, 3);
+  const glm::dmat4 model =
+      !lua_isnoneornil(L, 4)
+          ? read<glm::dmat4>(L, 4, "argument 4 of shadow.needs_zfail (the model matrix)")
+      : object ? object->object().model
+               : glm::dmat4(1);
+  lua_pushboolean(L, shadow::needs_zfail(camera, Stage::of(L).aspect(), light.position,
+                                         scene::bounds(*mesh), model));
+  return 1;
+}
+
+int layers(lua_State* L) {
+  const MeshBox mesh = mesh_argument(L, 1, "layers");
+  lua_pushinteger(L, static_cast<lua_Integer>(Stage::of(L).volumes->source(mesh)->layers));
+  return 1;
+}
+
+/// The edge graph, for those who write their own silhouette: 1-based, as Lua counts.
+int adjacency(lua_State* L) {
+  const MeshBox mesh = mesh_argument(L, 1, "adjacency");
+  Stage& stage = Stage::of(L);
+  stage.state.check_budget(mesh->indices.size() * 4);
+  const auto source = stage.volumes->source(mesh);
+  const scene::Adjacency& graph = source->adjacency;
+  lua_createtable(L, 0, 3);
+  lua_createtable(L, static_cast<int>(graph.positions.size()), 0);
+  for (std::size_t i = 0; i < graph.positions.size(); ++i) {
+    push(L, glm::dvec3(graph.positions[i]));
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "positions");
+  const auto put = [L](const auto& rows, lua_Integer offset, const char* name) {
+    lua_createtable(L, static_cast<int>(rows.size()), 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      lua_createtable(L, 3, 0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        lua_pushinteger(L, static_cast<lua_Integer>(rows[i][k]) + offset);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(k) + 1);
+      }
+      lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    lua_setfield(L, -2, name);
+  };
+  put(graph.triangles, 1, "triangles");
+  put(source->next, 1, "next");  // 0 where there is none
+  return 1;
+}
+
+/// A list of { a, b }: vec3s in model space, directed so that the caster's lit side is on the left.
+int silhouette(lua_State* L) {
+  const MeshBox mesh = mesh_argument(L, 1, "silhouette");
+  const glm::dmat4 model = model_argument(L, 2, "silhouette");
+  const auto light = read_light(L, 3, "argument 3 of shadow.silhouette (the light)");
+  const auto source = Stage::of(L).volumes->source(mesh);
+  const auto edges =
+      shadow::silhouette(source->adjacency, shadow::light_in_model_space(model, light.position));
+  lua_createtable(L, static_cast<int>(edges.size()), 0);
+  lua_Integer next = 0;
+  for (const auto& edge : edges) {
+    for (std::uint32_t copy = 0; copy < edge.multiplicity; ++copy) {
+      lua_createtable(L, 2, 0);
+      push(L, glm::dvec3(source->adjacency.positions[edge.a]));
+      lua_rawseti(L, -2, 1);
+      push(L, glm::dvec3(source->adjacency.positions[edge.b]));
+      lua_rawseti(L, -2, 2);
+      lua_rawseti(L, -2, ++next);
+    }
+  }
+  return 1;
+}
+
+constexpr Entry functions[] = {
+    {"volume",
+     "shadow.volume(mesh, model, light, {edges = \"all\"|\"lit\"|\"silhouette\", caps = true, "
+     "extrude = \"infinite\"|distance}) -> volume",
+     "The shadow volume of a mesh, or of a scene's object (model may then be nil). The three edges "
+     "are the lecture's stages: wrong, better, right. Draw it with a shader whose vertex stage "
+     "extrudes, as shader.load \"volume\".",
+     guarded<build>},
+    {"needs_zfail",
+     "shadow.needs_zfail(camera, light, object) or (camera, light, mesh, model) -> boolean",
+     "Whether z-pass would be wrong for this caster: it may shadow part of the near plane.",
+     guarded<needs_zfail>},
+    {"layers", "shadow.layers(object or mesh) -> integer",
+     "An upper bound of how often the caster's volume holds one point: 1 for a convex one. Eight "
+     "stencil bits count to 255.",
+     guarded<layers>},
+    {"adjacency", "shadow.adjacency(mesh) -> { positions, triangles, next }",
+     "The edge graph with vertices welded by position: next[i][k] is the triangle across the k-th "
+     "edge of triangle i, 0 for none; counted from 1.",
+     guarded<adjacency>},
+    {"silhouette", "shadow.silhouette(mesh, model, light) -> { {a, b}, … }",
+     "The silhouette's edges as seen from the light, model space.", guarded<silhouette>},
+};
+constexpr Entry methods[] = {
+    {"draw", "v:draw(shader, {view = , projection = })",
+     "Draws sides and caps: what z-fail counts.", guarded<draw_all>},
+    {"draw_sides", "v:draw_sides(shader, {view = , projection = })",
+     "Draws the sides alone: what z-pass counts.", guarded<draw_sides>},
+};
+constexpr std::string_view field_names[] = {"triangles", "side_triangles"};
+
+}  // namespace
+
+bool BoxTraits<VolumeBox>::push_field(lua_State* L, VolumeBox& volume, std::string_view key) {
+  if (key == "triangles") {
+    lua_pushinteger(L, static_cast<lua_Integer>(volume->all / 3));
+  } else if (key == "side_triangles") {
+    lua_pushinteger(L, static_cast<lua_Integer>(volume->sides / 3));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::span<const std::string_view> BoxTraits<VolumeBox>::fields() { return field_names; }
+
+std::span<const Entry> volume_functions() { return functions; }
+std::span<const Entry> volume_methods() { return methods; }
+
+void open_volume(Stage& stage) {
+  lua_State* L = stage.state.raw();
+  stage.volumes = std::make_shared<VolumePool>(stage.graphics);
+  open_box<VolumeBox>(L, methods);
+}
+
+}  // namespace shadowlab::lua
