@@ -1,0 +1,11 @@
+// What tests written in Lua expect with: expect, expect_equal, expect_near, expect_error.
+#pragma once
+
+#include <lua.hpp>
+
+namespace shadowlab::tests {
+
+/// Makes them globals.
+void open_expect(lua_State* L);
+
+}  // namespace shadowlab::tests
