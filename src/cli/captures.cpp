@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "cli/files.h"
 
 namespace shadowlab::cli {
 namespace {
@@ -51,14 +51,13 @@ void write_number(image::Image& image, int x, int y, int number) {
   }
 }
 
-std::string stem_of(std::size_t index, const std::string& pass) {
+}  // namespace
+
+std::string stem_of(std::size_t index, std::string_view pass) {
   std::string stem = fmt::format("{:02}_", index + 1);
-  std::string_view name = pass;
-  while (!name.empty() && (std::isdigit(static_cast<unsigned char>(name.front())) ||
-                           name.front() == '.' || name.front() == ' ')) {
-    name.remove_prefix(1);
-  }
-  for (const char c : name.substr(0, 60)) {
+  // The number is the stem's already.
+  pass.remove_prefix(std::min(pass.find_first_not_of("0123456789. "), pass.size()));
+  for (const char c : pass.substr(0, 60)) {
     const bool keep =
         std::isalnum(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 128;
     if (keep) {
@@ -70,8 +69,6 @@ std::string stem_of(std::size_t index, const std::string& pass) {
   while (stem.back() == '_') stem.pop_back();
   return stem;
 }
-
-}  // namespace
 
 std::array<std::uint8_t, 4> stencil_color(std::uint8_t value) {
   if (value == 0) return {0, 0, 0, 255};
@@ -135,11 +132,7 @@ image::Image depth_picture(const image::FloatImage& depth) {
 
 Captures::Captures(std::filesystem::path folder, Session& session)
     : folder_(std::move(folder)), session_(session) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error)
-    throw InputError(
-        fmt::format("cannot make the folder {}: {}", folder_.string(), error.message()));
+  make_folder(folder_);
   session_.recipe().on_pass_end([this](std::size_t pass) { capture(pass); });
 }
 
@@ -153,14 +146,14 @@ void Captures::capture(std::size_t pass) {
   const auto width = static_cast<std::size_t>(frame.width()),
              height = static_cast<std::size_t>(frame.height());
   const image::Image& color = passes_.back().color;
-  image::write_png(file(".color.png"), color);
-  image::write_npy(file(".color.npy"), std::array<std::size_t, 3>{height, width, 4}, color.rgba);
+  write_picture(file(".color.png"), color);
+  write_array(file(".color.npy"), std::array<std::size_t, 3>{height, width, 4}, color.rgba);
   const auto depth = frame.read_depth();
-  image::write_png(file(".depth.png"), depth_picture(depth));
-  image::write_npy(file(".depth.npy"), std::array<std::size_t, 2>{height, width}, depth.values);
+  write_picture(file(".depth.png"), depth_picture(depth));
+  write_array(file(".depth.npy"), std::array<std::size_t, 2>{height, width}, depth.values);
   const auto stencil = frame.read_stencil();
-  image::write_png(file(".stencil.png"), stencil_picture(stencil, frame.width(), frame.height()));
-  image::write_npy(file(".stencil.npy"), std::array<std::size_t, 2>{height, width}, stencil);
+  write_picture(file(".stencil.png"), stencil_picture(stencil, frame.width(), frame.height()));
+  write_array(file(".stencil.npy"), std::array<std::size_t, 2>{height, width}, stencil);
 }
 
 void Captures::finish() {
@@ -174,9 +167,9 @@ void Captures::finish() {
                       {capture.stem + ".color.npy", capture.stem + ".depth.npy",
                        capture.stem + ".stencil.npy"}}});
   }
-  std::ofstream stream(folder_ / "index.json");
-  stream << index.dump(2) << '\n';
-  if (!stream.flush()) throw InputError("cannot write " + (folder_ / "index.json").string());
+  // Names of passes may be any bytes; JSON is UTF-8.
+  write_text(folder_ / "index.json",
+             index.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace shadowlab::cli

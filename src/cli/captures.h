@@ -41,6 +41,9 @@ class Captures {
   std::vector<Capture> passes_;
 };
 
+/// What the files of a pass are called, counting from 0: "01_the_receiver_marks_the_stencil".
+std::string stem_of(std::size_t index, std::string_view pass);
+
 /// A colour for each stencil value, distinct for neighbours; 0 is black.
 std::array<std::uint8_t, 4> stencil_color(std::uint8_t value);
 

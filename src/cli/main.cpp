@@ -1,7 +1,9 @@
 // The command line: one file a command, and how each ends.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include "cli/commands.h"
@@ -10,34 +12,57 @@
 
 namespace {
 
-int fail(int code, const std::string& sentence) {
+int fail(int code, std::string sentence) {
+  if (!sentence.ends_with('.') && !sentence.ends_with('?') && !sentence.ends_with('!'))
+    sentence += '.';
   std::fflush(stdout);
   fmt::print(stderr, "shadowlab: {}\n", sentence);
   return code;
+}
+
+// Parses and runs; what goes wrong is an exception.
+int run(CLI::App& app, int argc, char** argv) {
+  using namespace shadowlab;
+  cli::Answer answer = cli::Answer::yes;
+  for (const auto add : {cli::add_run, cli::add_trace, cli::add_list, cli::add_new,
+                         cli::add_gallery, cli::add_diff, cli::add_check, cli::add_doctor})
+    add(app, answer);
+  app.parse(argc, argv);
+  if (app.get_subcommands().empty()) {
+    fmt::print(stderr, "{}", app.help());
+    return 2;
+  }
+  if (std::fflush(stdout) != 0) return fail(2, "cannot write to standard output");
+  return static_cast<int>(answer);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace shadowlab;
-  CLI::App app("shadowlab: shadow algorithms as short Lua scripts");
-  app.set_version_flag("--version", std::string(version()));
-  app.require_subcommand(1);
-  cli::Answer answer = cli::Answer::yes;
-  cli::add_run(app, answer);
+  // `shadowlab trace X | head` ends without a word, also where whoever started us ignores SIGPIPE.
+  std::signal(SIGPIPE, SIG_DFL);
+  CLI::App app("shadowlab: shadow algorithms as short Lua scripts", "shadowlab");
+  app.set_version_flag("--version", "shadowlab " + std::string(version()));
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Example:\n  shadowlab run projected_stencil -o out.png\n"
+      "Each command has its own: shadowlab run --help\n"
+      "Ends with 0: done; 1: done, and the answer is no; 2: wrong usage or input; 3: this machine "
+      "cannot.");
   try {
-    app.parse(argc, argv);
-    if (std::fflush(stdout) != 0) return fail(2, "cannot write to standard output.");
-    return static_cast<int>(answer);
+    return run(app, argc, argv);
   } catch (const CLI::ParseError& problem) {
     if (problem.get_exit_code() == 0) return app.exit(problem);  // --help, --version
-    return fail(2, std::string(problem.what()) + " (see shadowlab --help)");
+    return fail(2, cli::sentence_of(problem, app));
   } catch (const InputError& problem) {
     return fail(2, problem.what());
   } catch (const MachineError& problem) {
     return fail(3, problem.what());
   } catch (const std::bad_alloc&) {
-    return fail(3, "this machine has no memory left for that.");
+    return fail(3, "this machine has no memory left for that");
+  } catch (const std::filesystem::filesystem_error& problem) {
+    return fail(2, problem.path1().string() + ": " + problem.code().message());
   } catch (const std::exception& problem) {
     return fail(2, problem.what());
   }

@@ -1,10 +1,11 @@
 // shadowlab run: a recipe becomes a picture.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <cstdio>
 
 #include "cli/captures.h"
 #include "cli/commands.h"
+#include "cli/files.h"
 #include "cli/session.h"
 #include "core/error.h"
 #include "image/image.h"
@@ -22,26 +23,41 @@ struct RunOptions {
 
 constexpr double frames_per_second = 60;  // the clock that r.time follows
 
-void print_timings(const recipe::Recipe& recipe) {
+void print_timings(const recipe::Recipe& recipe, std::FILE* to) {
   std::size_t widest = 5;
   double all = 0;
   for (const auto& pass : recipe.passes()) {
     widest = std::max(widest, pass.name.size());
     all += pass.milliseconds;
   }
-  fmt::print("{:<{}}  {:>9}  {:>5}\n", "pass", widest, "ms", "share");
+  fmt::print(to, "{:<{}}  {:>9}  {:>5}\n", "pass", widest, "ms", "share");
   for (const auto& pass : recipe.passes()) {
-    fmt::print("{:<{}}  {:>9.3f}  {:>4.0f}%\n", pass.name, widest, pass.milliseconds,
+    fmt::print(to, "{:<{}}  {:>9.3f}  {:>4.0f}%\n", pass.name, widest, pass.milliseconds,
                all > 0 ? 100 * pass.milliseconds / all : 0);
   }
-  fmt::print("{:<{}}  {:>9.3f}\n", "frame", widest, all);
+  fmt::print(to, "{:<{}}  {:>9.3f}\n", "frame", widest, all);
+}
+
+// Where the picture goes: as given, - for standard output, else beside us under the recipe's name.
+std::filesystem::path picture_of(const RunOptions& options) {
+  if (options.output == "-") return "/dev/stdout";
+  if (!options.output.empty()) return options.output;
+  return std::filesystem::path(options.draw.recipe).stem() += ".png";
 }
 
 void run(const RunOptions& options) {
   if (options.frames < 1 || options.frames > 100000)
     throw InputError("--frames takes a number from 1 to 100000");
+  const auto output = picture_of(options);
+  expect_writable(output);
+  if (!options.captures.empty()) make_folder(options.captures);
+  // Where the picture is on standard output, nothing else may be.
+  std::FILE* const words = options.output == "-" ? stderr : stdout;
   recipe::Options recipe_options;
   recipe_options.time_passes = options.timings;
+  recipe_options.print = [words](std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), words);
+  };
   Session session(options.draw, std::move(recipe_options));
   std::optional<Captures> captures;
   for (int frame = 0; frame < options.frames; ++frame) {
@@ -50,11 +66,8 @@ void run(const RunOptions& options) {
     session.recipe().draw(frame / frames_per_second);
   }
   if (captures) captures->finish();
-  const auto output = options.output.empty()
-                          ? std::filesystem::path(options.draw.recipe).stem().string() + ".png"
-                          : options.output;
-  image::write_png(output, session.graphics().frame.read_color());
-  if (options.timings) print_timings(session.recipe());
+  write_picture(output, session.graphics().frame.read_color());
+  if (options.timings) print_timings(session.recipe(), words);
 }
 
 }  // namespace
@@ -63,7 +76,9 @@ void add_run(CLI::App& app, Answer& answer) {
   CLI::App* command = app.add_subcommand("run", "Draw a recipe into a PNG");
   auto options = std::make_shared<RunOptions>();
   add_draw_options(*command, options->draw);
-  command->add_option("-o,--output", options->output, "The picture; RECIPE.png unless given")
+  command
+      ->add_option("-o,--output", options->output,
+                   "The picture; RECIPE.png unless given, - for standard output")
       ->type_name("OUT.png");
   command
       ->add_option("--frames", options->frames,
@@ -74,7 +89,10 @@ void add_run(CLI::App& app, Answer& answer) {
       ->add_option("--captures", options->captures,
                    "Write colour, depth and stencil after each pass into this folder")
       ->type_name("DIR");
-  command->add_flag("--timings", options->timings, "Print the time of each pass");
+  command->add_flag("--timings", options->timings,
+                    "Print the time of each pass of the last frame, between two glFinish");
+  command->footer(
+      "Example:\n  shadowlab run projected_stencil -o out.png --set light=1,3,2 --captures passes");
   command->callback([options, &answer] {
     run(*options);
     answer = Answer::yes;
