@@ -11,7 +11,7 @@ std::string_view version() { return SHADOWLAB_VERSION; }
 
 std::filesystem::path home() {
   const char* given = std::getenv("SHADOWLAB_HOME");
-  const std::filesystem::path folder = given ? given : SHADOWLAB_SOURCE_DIR;
+  std::filesystem::path folder = given ? given : SHADOWLAB_SOURCE_DIR;
   std::error_code none;
   if (!std::filesystem::is_directory(folder / "scripts", none)) {
     throw MachineError("shadowlab's scripts are not in " + folder.string() +

@@ -1,8 +1,8 @@
 // Where C++ errors become Lua errors.
 //
-// Debian's lua5.4-c++ raises by `throw`, so the destructors of a binding run when Lua raises through
-// it. The other way round, Lua's own catch swallows a foreign exception without a message: hence every
-// C function that Lua can call is wrapped in `guarded`.
+// Debian's lua5.4-c++ raises by `throw`, so the destructors of a binding run when Lua raises
+// through it. The other way round, Lua's own catch swallows a foreign exception without a message:
+// hence every C function that Lua can call is wrapped in `guarded`.
 #pragma once
 
 #include <exception>

@@ -11,13 +11,13 @@
 
 namespace shadowlab::scene {
 
-/// A triangle soup with shared vertices, in model space, metres. Floats, since that is what GL draws
-/// and so what "exact" means: geometry decides in double or better on these very numbers.
+/// A triangle soup with shared vertices, in model space, metres. Floats, since that is what GL
+/// draws and so what "exact" means: geometry decides in double or better on these very numbers.
 /// Invariant (see `check`): indices.size() is a multiple of 3, each index names a position, normals
 /// and uvs are empty or one a position, every number is finite.
 struct Mesh {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;      ///< unit length
+  std::vector<glm::vec3> normals;  ///< unit length
   std::vector<glm::vec2> uvs;
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise seen from outside
 
@@ -47,11 +47,12 @@ Bounds merge(const Bounds& a, const Bounds& b);
 /// matrix that mirrors also turns the triangles, so that they stay counter-clockwise from outside.
 Mesh transformed(const Mesh& mesh, const glm::dmat4& matrix);
 
-/// The plane (a, b, c, d), unit normal, that all of `mesh` under `model` lies in, its normal the way
-/// the triangles face; nothing where the mesh is not planar within 1e-6 of its size.
+/// The plane (a, b, c, d), unit normal, that all of `mesh` under `model` lies in, its normal the
+/// way the triangles face; nothing where the mesh is not planar within 1e-6 of its size.
 std::optional<glm::dvec4> plane_of(const Mesh& mesh, const glm::dmat4& model = glm::dmat4(1.0));
 
-// Primitives, all centred on the origin, y up, with normals and uvs, watertight where they are closed.
+// Primitives, all centred on the origin, y up, with normals and uvs, watertight where they are
+// closed.
 
 /// A rectangle in y = 0 facing +y, `columns` × `rows` quads.
 Mesh plane(double width, double depth, int columns = 1, int rows = 1);
@@ -64,12 +65,13 @@ Mesh sphere(double radius = 0.5, int slices = 32, int stacks = 16);
 Mesh torus(double radius = 0.5, double tube = 0.2, int slices = 48, int sides = 24);
 /// The regular tetrahedron on the sphere of `radius`, one vertex up.
 Mesh tetrahedron(double radius = 0.5);
-/// A height field over [-w/2, w/2] × [-d/2, d/2]: heights[row * (columns+1) + column], row along +z.
+/// A height field over [-w/2, w/2] × [-d/2, d/2]: heights[row * (columns+1) + column], row along
+/// +z.
 Mesh grid(double width, double depth, int columns, int rows, std::span<const double> heights);
 /// The Utah teapot from its 32 Bézier patches (four of them the bottom), `divisions` × `divisions`
-/// quads a patch, 1 to 128, standing on y = 0, `size` = its height, spout toward +x. Newell's original
-/// is open between lid and rim and at both ends of spout and handle, which pierce the body: that is
-/// kept, since real casters are like that. Degenerate triangles are left out.
+/// quads a patch, 1 to 128, standing on y = 0, `size` = its height, spout toward +x. Newell's
+/// original is open between lid and rim and at both ends of spout and handle, which pierce the
+/// body: that is kept, since real casters are like that. Degenerate triangles are left out.
 Mesh teapot(double size = 1.0, int divisions = 8);
 
 /// Reads a Wavefront OBJ (positions, normals, uvs, polygons triangulated; materials ignored).

@@ -43,9 +43,9 @@ struct Camera {
   glm::dmat4 projection(double aspect) const;
 };
 
-/// A light. `position` is homogeneous, world space: w = 1 a point, w = 0 the direction toward a light
-/// at infinity. An area light is a rectangle (center ± half_u ± half_v), an ellipse with those
-/// half-axes (disk), or a sphere of `radius`, around `position`.
+/// A light. `position` is homogeneous, world space: w = 1 a point, w = 0 the direction toward a
+/// light at infinity. An area light is a rectangle (center ± half_u ± half_v), an ellipse with
+/// those half-axes (disk), or a sphere of `radius`, around `position`.
 struct Light {
   enum class Shape { point, rectangle, disk, sphere };
   glm::dvec4 position{0, 4, 0, 1};
