@@ -35,7 +35,7 @@ function recipe.draw(r)
   pass("2. the next is drawn where the stencil is 0", function()
     gl.StencilFunc(gl.EQUAL, 0, 255)
     gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
-    draw_quad(r, -0.25, -0.25, 0.75, 0.75, vec3(0.94, 0.66, 0.30))
+    draw_quad(r, -0.25, -0.25, 0.75, 0.75, vec3(0.94, 0.66, 0.32))
   end)
 
   pass("3. the stencil's values, as numbers", function()

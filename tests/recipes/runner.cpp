@@ -4,10 +4,10 @@
 //   lua_tests FILE.lua --list                 prints their names
 //
 // A file registers tests: test("fact_it_establishes", function() … end). They have all that recipes
-// have, and:
+// have (require looks beside the file, in the folder above it and in scripts/), and:
 //
 //   render(recipe, {size = {256, 256}, scene = , set = {light = "2,4,1"}, frames = 1, time = 0})
-//     the picture of a recipe: NAME.lua beside the test or in scripts/
+//     the picture of a recipe: NAME.lua in scripts/ or beside the test
 //   frame(width, height, function(r) … end)
 //     the picture of a frame that the test draws itself, from GL's defaults, at most 512 × 512
 //   expect(condition, words)
@@ -26,8 +26,8 @@
 #include "core/near_names.h"
 #include "core/version.h"
 #include "expect.h"
-#include "picture.h"
-#include "recipe/recipe.h"
+#include "lua/boxes.h"
+#include "render.h"
 
 namespace shadowlab::tests {
 namespace {
@@ -53,11 +53,12 @@ class TestFile : private lua::PassListener {
     return *static_cast<TestFile*>(lua_touserdata(L, lua_upvalueindex(1)));
   }
   static int register_test(lua_State* L);
-  static int render(lua_State* L);
+  static int render_recipe(lua_State* L);
   static int draw_frame(lua_State* L);
   void begin_pass(const std::string& name) override { pass_ = name; }
   void end_pass() override;
   void set_global(const char* name, lua_CFunction function);
+  std::filesystem::path find_recipe(const std::string& name) const;
   void give(Frame frame);
 
   std::filesystem::path file_;
@@ -78,7 +79,7 @@ class TestFile : private lua::PassListener {
 };
 
 TestFile::TestFile(std::filesystem::path file)
-    : file_(std::move(file)),
+    : file_(file.has_parent_path() ? std::move(file) : "." / file),
       graphics_(context::create(), largest, largest),
       state_({}, [](std::string_view line) { fmt::print("{}", line); }),
       stage_{state_,
@@ -87,13 +88,13 @@ TestFile::TestFile(std::filesystem::path file)
              {},
              {file_.parent_path(), home() / "scripts", home() / "shaders"}} {
   graphics_.begin_frame();
-  state_.search_in({file_.parent_path(), home() / "scripts"});
+  state_.search_in({file_.parent_path(), file_.parent_path() / "..", home() / "scripts"});
   lua::open_all(stage_);
   lua_State* L = state_.raw();
   open_picture(L);
   open_expect(L);
   set_global("test", lua::guarded<register_test>);
-  set_global("render", lua::guarded<render>);
+  set_global("render", lua::guarded<render_recipe>);
   set_global("frame", lua::guarded<draw_frame>);
   state_.load_file(file_);
   state_.call(0, 0);
@@ -137,92 +138,28 @@ void TestFile::give(Frame frame) {
   push_picture(state_.raw(), std::move(frame));
 }
 
-// ---- render
-
-double number_of(lua_State* L, int table, const char* name, double otherwise) {
-  lua_getfield(L, table, name);
-  const double value = lua_isnil(L, -1) ? otherwise : lua::read<double>(L, -1, name);
-  lua_pop(L, 1);
-  return value;
+// The recipe of that name in scripts/, or beside the tests.
+std::filesystem::path TestFile::find_recipe(const std::string& name) const {
+  std::filesystem::path file = home() / "scripts" / (name + ".lua");
+  if (!std::filesystem::is_regular_file(file)) file = file_.parent_path() / (name + ".lua");
+  return file.lexically_proximate(std::filesystem::current_path());
 }
 
-std::pair<int, int> size_of(lua_State* L, int table) {
-  glm::dvec2 size(256);
-  lua_getfield(L, table, "size");
-  if (!lua_isnil(L, -1)) size = lua::read<glm::dvec2>(L, -1, "size");
-  lua_pop(L, 1);
-  return {static_cast<int>(size.x), static_cast<int>(size.y)};
-}
-
-// A parameter's value as --set takes it.
-std::string setting(lua_State* L, int index) {
-  if (const auto* v = lua::test<glm::dvec3>(L, index)) {
-    return fmt::format("{},{},{}", v->x, v->y, v->z);
-  }
-  if (lua_type(L, index) == LUA_TNUMBER) return fmt::format("{}", lua_tonumber(L, index));
-  return std::string(lua::push_text(L, index));
-}
-
-void set_parameters(lua_State* L, int table, recipe::Recipe& recipe) {
-  lua_getfield(L, table, "set");
-  if (lua_type(L, -1) == LUA_TTABLE) {
-    lua_pushnil(L);
-    while (lua_next(L, -2)) {
-      recipe.set(luaL_checkstring(L, -2), setting(L, lua_gettop(L)));
-      lua_settop(L, table + 2);
-    }
-  }
-  lua_settop(L, table);
-}
-
-int TestFile::render(lua_State* L) {
+int TestFile::render_recipe(lua_State* L) {
   TestFile& self = of(L);
-  const std::string name = luaL_checkstring(L, 1);
-  if (lua_isnoneornil(L, 2)) {
-    lua_settop(L, 1);
-    lua_newtable(L);
-  }
-  lua_settop(L, 2);
-  std::filesystem::path file = self.file_.parent_path() / (name + ".lua");
-  if (!std::filesystem::is_regular_file(file)) file = home() / "scripts" / (name + ".lua");
-  const auto size = size_of(L, 2);
-  recipe::Options options;
-  lua_getfield(L, 2, "scene");
-  if (lua_type(L, -1) == LUA_TSTRING) options.scene = lua_tostring(L, -1);
-  lua_pop(L, 1);
-
-  auto& graphics = self.others_[size];
-  if (!graphics)
-    graphics = std::make_unique<gl::Graphics>(context::create(), size.first, size.second);
+  const auto file = self.find_recipe(luaL_checkstring(L, 1));
+  const RenderOptions options = read_render_options(L, 2);
+  auto& graphics = self.others_[{options.width, options.height}];
   // The test's own context is current again however this ends.
   struct Restore {
     const gl::Graphics& own;
     ~Restore() { own.context().make_current(); }
   } const restore{self.graphics_};
-  graphics->context().make_current();
-  Frame frame;
-  {
-    recipe::Recipe recipe(*graphics, file.lexically_proximate(std::filesystem::current_path()),
-                          options);
-    set_parameters(L, 2, recipe);
-    const int frames = static_cast<int>(number_of(L, 2, "frames", 1));
-    const double time = number_of(L, 2, "time", 0);
-    for (int i = 0; i < frames; ++i) {
-      if (i + 1 == frames) {
-        recipe.on_pass_end([&](std::size_t pass) {
-          frame.push_back(
-              look_at(graphics->frame, size.first, size.second, recipe.passes()[pass].name));
-        });
-      }
-      recipe.draw(time + i / 60.0);
-    }
-    frame.push_back(look_at(graphics->frame, size.first, size.second, ""));
-  }
-  self.give(std::move(frame));
+  if (!graphics)
+    graphics = std::make_unique<gl::Graphics>(context::create(), options.width, options.height);
+  self.give(render(*graphics, file, options));
   return 1;
 }
-
-// ---- frame
 
 void TestFile::end_pass() {
   if (drawing_) frame_.push_back(look_at(graphics_.frame, width_, height_, pass_));
@@ -255,8 +192,6 @@ int TestFile::draw_frame(lua_State* L) {
   self.give(std::move(self.frame_));
   return 1;
 }
-
-// ---- the command
 
 struct Arguments {
   std::string file;

@@ -1,0 +1,93 @@
+-- Carmack's reverse: the volume's faces are counted where the depth test fails, behind what is seen.
+-- The camera may then stand in the shadow, and the near plane may cut the volume; in return the
+-- volume needs caps, and a far plane at infinity for the caps that lie there.
+local batches_of = require "parts.batches"
+
+local recipe = {
+  title   = "Shadow volumes, z-fail",
+  lecture = "004_502e9deeb91da7bb: Carmack's reverse",
+  scene   = "table",
+  truth   = "hard",
+  params  = { light = param.point(2, 4, 1), darkness = param.number(0.25, 0, 1) },
+}
+
+function recipe.setup(r)
+  r.phong = shader.load "phong"
+  r.volume = shader.load "volume"
+  r.flat = shader.load "flat"
+  r.quad = mesh.quad()
+end
+
+function recipe.draw(r)
+  local scene, light, camera = r.scene, r.params.light, r.scene.camera
+  local view = camera:view()
+  local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
+  local seen = { view = view, projection = projection, light = light }
+  local batches = batches_of(scene.casters)
+  local volumes
+
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+
+  pass("1. the scene in the depth buffer", function()
+    gl.ColorMask(false, false, false, false)
+    scene:draw(r.phong, seen)
+  end)
+
+  gl.DepthMask(false)
+  gl.Enable(gl.STENCIL_TEST)
+  for i, batch in ipairs(batches) do
+    local group = #batches > 1 and (", group " .. i) or ""
+
+    pass("2. back faces of the volumes, where they are hidden: +1" .. group, function()
+      volumes = {}
+      for k, caster in ipairs(batch) do volumes[k] = shadow.volume(caster, nil, light) end
+      gl.StencilMask(0x7F)
+      gl.StencilFunc(gl.ALWAYS, 0, 0)
+      gl.Enable(gl.CULL_FACE)
+      gl.CullFace(gl.FRONT)
+      -- INCR would stay at 255 and lose count: INCR_WRAP does not.
+      gl.StencilOp(gl.KEEP, gl.INCR_WRAP, gl.KEEP)
+      for _, volume in ipairs(volumes) do volume:draw(r.volume, seen) end
+    end)
+
+    pass("3. front faces, where they are hidden: -1" .. group, function()
+      gl.CullFace(gl.BACK)
+      gl.StencilOp(gl.KEEP, gl.DECR_WRAP, gl.KEEP)
+      for _, volume in ipairs(volumes) do volume:draw(r.volume, seen) end
+    end)
+
+    -- Bit 7 keeps what a group found, so that the next counts from zero: with one group there is
+    -- nothing to keep.
+    if #batches > 1 then
+      pass("what is not zero becomes bit 7" .. group, function()
+        gl.StencilMask(0xFF)
+        gl.StencilFunc(gl.NOTEQUAL, 0x80, 0x7F)
+        gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
+        gl.Disable(gl.CULL_FACE)
+        gl.Disable(gl.DEPTH_TEST)
+        r.quad:draw(r.flat)
+        gl.Enable(gl.DEPTH_TEST)
+      end)
+    end
+  end
+
+  gl.Disable(gl.CULL_FACE)
+  gl.ColorMask(true, true, true, true)
+  gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+  gl.DepthFunc(gl.LEQUAL)
+
+  -- NOTEQUAL 0: the slide's EQUAL 1 leaves what two casters shadow without either colour.
+  pass("4. the dark part of the scene", function()
+    gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = r.params.darkness })
+  end)
+
+  pass("5. the lit part of the scene", function()
+    gl.StencilFunc(gl.EQUAL, 0, 0xFF)
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
+  end)
+end
+
+return recipe
