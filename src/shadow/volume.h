@@ -86,7 +86,8 @@ class VolumeBuilder {
   VolumeIndices build(glm::dvec4 light, const VolumeOptions& options = {});
 
   std::size_t triangle_count() const { return planes_.triangles().size(); }
-  std::size_t edge_count() const { return edge_triangles_.size() + knot_vertices_.size(); }
+  /// Edges that `build` looks up one by one, for benchmarks.
+  std::size_t indexed_edge_count() const { return edge_triangles_.size() + knot_vertices_.size(); }
 
  private:
   using Index = std::uint32_t;
@@ -97,34 +98,34 @@ class VolumeBuilder {
   void collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                      std::span<const std::uint8_t> turned);
   void fill_chain(glm::dvec4 light, Faces faces);
-  void summarize_patches();
-  void find_boundary(std::size_t first, std::size_t last);
-  Index* append_sides(Index* out, bool quads);
+  std::span<const Index> boundary_of_runs();
+  std::span<const Index> boundary_of_edges();
+  template <bool quads>
+  Index* append_sides(Index* out);
   Index* append_cap(Index* out, std::span<const scene::Triangle> cap) const;
 
-  // Triangles of closed components first, each component's together and turned outward. Sixty-four
-  // in a row are a patch: where their coefficients agree there is no boundary inside it, and its
-  // caps are copied or skipped whole.
+  // Triangles of closed components first, each component's together and turned outward. What has
+  // one entry a triangle is filled up with zeros, so that it can be read eight at a time.
   FacingPlanes planes_;
   std::vector<ClosedRange> closed_;
   std::vector<glm::vec4> vertices_;
   std::vector<scene::Triangle> front_, back_;  // caps of c = 1, as indices into vertices_
-  // An edge of at most two triangles, of opposite directions: its boundary is c[0] - c[1]; a
-  // missing triangle is the one past the end, whose c is 0. Edges inside patch i are inner_[i] to
-  // inner_[i + 1]; those between patches follow.
+  // The edge between each triangle and the next, whose boundary is c - next c, where there is one
+  // (run_ is then -1, else 0). In most meshes' order that is two edges of three.
+  std::vector<std::int8_t> run_;
+  std::vector<std::array<Index, 2>> run_vertices_;
+  // The others of at most two triangles, of opposite directions: c[0] - c[1]; a missing triangle is
+  // the one past the end, whose c is 0.
   std::vector<std::array<Index, 2>> edge_triangles_;
   std::vector<std::array<Index, 2>> edge_vertices_;
-  std::vector<Index> inner_;
-  // All other edges, whose boundary is a sum over their incidences.
+  // The rest, whose boundary is a sum over their incidences.
   std::vector<std::array<Index, 2>> knot_vertices_;
   std::vector<Index> knot_begin_;
   std::vector<scene::Incidence> knot_incidences_;
   // Scratch and result, of the worst case's size from the start; pages that are never written take
   // no memory.
   std::vector<std::int8_t> chain_;
-  std::vector<std::int8_t> patches_;
   std::unique_ptr<Index[]> boundary_;
-  std::size_t found_ = 0;
   std::unique_ptr<Index[]> indices_;
 };
 

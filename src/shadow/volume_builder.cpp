@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <numeric>
 
@@ -9,8 +10,32 @@ namespace {
 
 using Index = std::uint32_t;
 
-constexpr std::size_t patch_size = 64;
-constexpr std::int8_t mixed = 2;  // of a patch whose coefficients differ
+// Coefficients are read eight at a time, the first in the lowest byte.
+constexpr std::size_t word_size = 8;
+constexpr std::uint64_t ones = 0x0101010101010101u;
+static_assert(std::endian::native == std::endian::little);
+
+std::uint64_t word_at(const std::int8_t* coefficients) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, coefficients, word_size);
+  return word;
+}
+
+/// For each set of bytes of a word, as eight bits: which they are, and how many.
+struct Members {
+  std::array<Index, word_size> places{};
+  std::size_t count = 0;
+};
+
+constexpr std::array<Members, 256> members_of = [] {
+  std::array<Members, 256> table{};
+  for (std::size_t set = 0; set < 256; ++set) {
+    for (Index k = 0; k < word_size; ++k) {
+      if ((set >> k & 1) != 0) table[set].places[table[set].count++] = k;
+    }
+  }
+  return table;
+}();
 
 /// Triangles in the builder's order, and what became of each of the adjacency's.
 struct Arrangement {
@@ -45,27 +70,28 @@ Arrangement arranged(const scene::Adjacency& mesh, const std::vector<Component>&
     out.turned[t] = parts[c].inside_out ? 1 : 0;
     out.place[t] = static_cast<Index>(next[c]);
     out.triangles[next[c]++] =
-        parts[c].inside_out ? scene::Triangle{p, r, q} : scene::Triangle{p, q, r};
+        parts[c].inside_out ? scene::Triangle{q, p, r} : scene::Triangle{p, q, r};
   }
   return out;
 }
 
-/// A side on a→b. The front cap runs a→b, so the side runs b→a.
-Index* append_side(Index* out, Index a, Index b, bool quad) {
-  out[0] = b;
-  out[1] = a;
-  out[2] = a + 1;
-  if (!quad) return out + 3;
-  out[3] = b;
-  out[4] = a + 1;
-  out[5] = b + 1;
-  return out + 6;
-}
-
-Index* append_sides_on(Index* out, std::array<Index, 2> edge, int multiplicity, bool quads) {
-  const auto [a, b] = edge;
-  for (; multiplicity > 0; --multiplicity) out = append_side(out, a, b, quads);
-  for (; multiplicity < 0; ++multiplicity) out = append_side(out, b, a, quads);
+/// A side on a→b as often as `multiplicity` says, on b→a where that is negative. The front cap runs
+/// along a→b, so the side runs b→a.
+template <bool quads>
+Index* append_side(Index* out, std::array<Index, 2> edge, int multiplicity) {
+  const bool turned = multiplicity < 0;
+  const Index a = edge[turned ? 1 : 0], b = edge[turned ? 0 : 1];
+  for (int i = std::abs(multiplicity); i > 0; --i) {
+    out[0] = b;
+    out[1] = a;
+    out[2] = a + 1;
+    if constexpr (quads) {
+      out[3] = b;
+      out[4] = a + 1;
+      out[5] = b + 1;
+    }
+    out += quads ? 6 : 3;
+  }
   return out;
 }
 
@@ -90,39 +116,41 @@ VolumeBuilder::VolumeBuilder(const scene::Adjacency& mesh) : planes_({}, {}) {
     front_.push_back({2 * a, 2 * b, 2 * c});
     back_.push_back({2 * a + 1, 2 * c + 1, 2 * b + 1});
   }
-  collect_edges(mesh, arrangement.place, arrangement.turned);
   const std::size_t count = arrangement.triangles.size();
+  front_.resize(count + word_size);
+  back_.resize(count + word_size);
+  chain_.assign(count + 2 * word_size, 0);
+  collect_edges(mesh, arrangement.place, arrangement.turned);
   planes_ = FacingPlanes(mesh.positions, std::move(arrangement.triangles));
-  chain_.assign(count + 1, 0);
-  patches_.assign((count + patch_size - 1) / patch_size, 0);
-  boundary_ = std::make_unique_for_overwrite<Index[]>(edge_triangles_.size() + 1);
-  // At most a side for each triangle at each edge, of six indices, and two caps.
-  indices_ = std::make_unique_for_overwrite<Index[]>(count * (3 * 6 + 6));
+  // A word more than can be found, and than the worst case of a side of six indices for each
+  // triangle at each edge and two caps: some are written before it is known whether they stay.
+  boundary_ =
+      std::make_unique_for_overwrite<Index[]>(std::max(count, edge_triangles_.size()) + word_size);
+  indices_ = std::make_unique_for_overwrite<Index[]>(count * (3 * 6 + 6) + word_size);
 }
 
 void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                                   std::span<const std::uint8_t> turned) {
-  struct Edge {
-    std::array<Index, 2> triangles, vertices;
-    std::size_t patch;
-  };
   const auto missing = static_cast<Index>(place.size());
-  const std::size_t patches = (place.size() + patch_size - 1) / patch_size;
-  std::vector<Edge> edges;
-  edges.reserve(mesh.edges.size());
-  inner_.assign(patches + 2, 0);
+  run_.assign(place.size() + word_size, 0);
+  run_vertices_.resize(place.size());
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const auto around = mesh.at(e);
-    const Index t = place[around[0].triangle()];
     const auto [a, b] = mesh.edges[e];
     // Turning a component round turns its edges' multiplicities: so turn the edges.
     const bool back = turned[around[0].triangle()] != 0;
     const std::array<Index, 2> ends = back ? std::array{2 * b, 2 * a} : std::array{2 * a, 2 * b};
     if (around.size() == 1 || (around.size() == 2 && around[1].sign() < 0)) {
+      const Index t = place[around[0].triangle()];
       const Index u = around.size() == 1 ? missing : place[around[1].triangle()];
-      const bool inside = u != missing && t / patch_size == u / patch_size;
-      edges.push_back({{t, u}, ends, inside ? t / patch_size : patches});
-      ++inner_[edges.back().patch + 1];
+      // t < u: triangles of one component keep their order.
+      if (u == t + 1 && run_[t] == 0) {
+        run_[t] = -1;
+        run_vertices_[t] = ends;
+      } else {
+        edge_triangles_.push_back({t, u});
+        edge_vertices_.push_back(ends);
+      }
       continue;
     }
     knot_vertices_.push_back(ends);
@@ -132,15 +160,6 @@ void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const 
     }
   }
   knot_begin_.push_back(static_cast<Index>(knot_incidences_.size()));
-  std::partial_sum(inner_.begin(), inner_.end(), inner_.begin());
-  edge_triangles_.resize(edges.size());
-  edge_vertices_.resize(edges.size());
-  std::vector<Index> next(inner_);
-  for (const Edge& edge : edges) {
-    const Index slot = next[edge.patch]++;
-    edge_triangles_[slot] = edge.triangles;
-    edge_vertices_[slot] = edge.vertices;
-  }
 }
 
 void VolumeBuilder::fill_chain(glm::dvec4 light, Faces faces) {
@@ -164,66 +183,79 @@ void VolumeBuilder::fill_chain(glm::dvec4 light, Faces faces) {
   decide_until(chain.size());
 }
 
-void VolumeBuilder::summarize_patches() {
-  const std::size_t count = triangle_count();
-  for (std::size_t p = 0; p < patches_.size(); ++p) {
-    const std::int8_t* const begin = &chain_[p * patch_size];
-    const std::size_t size = std::min(patch_size, count - p * patch_size);
-    // All equal if each equals its neighbour.
-    patches_[p] = std::memcmp(begin, begin + 1, size - 1) == 0 ? *begin : mixed;
+std::span<const std::uint32_t> VolumeBuilder::boundary_of_runs() {
+  const std::int8_t *const chain = chain_.data(), *const run = run_.data();
+  Index* const boundary = boundary_.get();
+  std::size_t found = 0;
+  for (std::size_t t = 0; t < triangle_count(); t += word_size) {
+    const std::uint64_t differing =
+        (word_at(chain + t) ^ word_at(chain + t + 1)) & word_at(run + t);
+    if (differing == 0) continue;
+    // Of coefficients 1, 0, -1 any two differ in one of the lowest two bits. The product brings
+    // each byte's lowest bit into the top byte.
+    const std::uint64_t set = ((differing | differing >> 1) & ones) * 0x0102040810204080u >> 56;
+    const Members& members = members_of[set];
+    for (std::size_t k = 0; k < word_size; ++k) {
+      boundary[found + k] = static_cast<Index>(t) + members.places[k];
+    }
+    found += members.count;
   }
+  return {boundary, found};
 }
 
-void VolumeBuilder::find_boundary(std::size_t first, std::size_t last) {
-  const std::int8_t* const chain = chain_.data();
-  Index* const boundary = boundary_.get();
-  std::size_t found = found_;
-  for (std::size_t e = first; e < last; ++e) {
-    const auto& [t, u] = edge_triangles_[e];
+std::span<const std::uint32_t> VolumeBuilder::boundary_of_edges() {
+  // Bytes may alias anything; these do not.
+  const std::int8_t* __restrict const chain = chain_.data();
+  const std::array<Index, 2>* __restrict const edges = edge_triangles_.data();
+  Index* __restrict const boundary = boundary_.get();
+  const std::size_t count = edge_triangles_.size();
+  std::size_t found = 0;
+#pragma GCC unroll 4
+  for (std::size_t e = 0; e < count; ++e) {
     // Written whether it stays or not: a branch here would be mispredicted all along a silhouette.
     boundary[found] = static_cast<Index>(e);
-    found += chain[t] != chain[u] ? 1 : 0;
+    found += chain[edges[e][0]] != chain[edges[e][1]] ? 1 : 0;
   }
-  found_ = found;
+  return {boundary, found};
 }
 
-std::uint32_t* VolumeBuilder::append_sides(Index* out, bool quads) {
-  found_ = 0;
-  for (std::size_t p = 0; p < patches_.size(); ++p) {
-    if (patches_[p] == mixed) find_boundary(inner_[p], inner_[p + 1]);
+template <bool quads>
+std::uint32_t* VolumeBuilder::append_sides(Index* out) {
+  for (const Index t : boundary_of_runs()) {
+    out = append_side<quads>(out, run_vertices_[t], chain_[t] - chain_[t + 1]);
   }
-  find_boundary(inner_[patches_.size()], edge_triangles_.size());
-  for (std::size_t i = 0; i < found_; ++i) {
-    const auto& [t, u] = edge_triangles_[boundary_[i]];
-    out = append_sides_on(out, edge_vertices_[boundary_[i]], chain_[t] - chain_[u], quads);
+  for (const Index e : boundary_of_edges()) {
+    const auto& [t, u] = edge_triangles_[e];
+    out = append_side<quads>(out, edge_vertices_[e], chain_[t] - chain_[u]);
   }
   for (std::size_t k = 0; k < knot_vertices_.size(); ++k) {
     int multiplicity = 0;
     for (Index i = knot_begin_[k]; i < knot_begin_[k + 1]; ++i) {
       multiplicity += knot_incidences_[i].sign() * chain_[knot_incidences_[i].triangle()];
     }
-    out = append_sides_on(out, knot_vertices_[k], multiplicity, quads);
+    out = append_side<quads>(out, knot_vertices_[k], multiplicity);
   }
   return out;
 }
 
 std::uint32_t* VolumeBuilder::append_cap(Index* out, std::span<const scene::Triangle> cap) const {
-  for (std::size_t p = 0; p < patches_.size(); ++p) {
-    if (patches_[p] == 0) continue;
-    const auto part =
-        cap.subspan(p * patch_size).first(std::min(patch_size, cap.size() - p * patch_size));
-    if (patches_[p] == 1) {
-      std::memcpy(out, part.data(), part.size_bytes());
-      out += part.size() * 3;
+  for (std::size_t first = 0; first < triangle_count(); first += word_size) {
+    const std::uint64_t word = word_at(&chain_[first]);
+    if (word == 0) continue;
+    if (word == ones) {
+      std::memcpy(out, &cap[first], word_size * sizeof(scene::Triangle));
+      out += word_size * 3;
       continue;
     }
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const std::int8_t c = chain_[p * patch_size + i];
-      if (c == 0) continue;
-      out[0] = part[i][0];
-      out[1] = part[i][c > 0 ? 1 : 2];
-      out[2] = part[i][c > 0 ? 2 : 1];
-      out += 3;
+    for (std::size_t t = first; t < first + word_size; ++t) {
+      // Written whether it stays or not, as in boundary_of_edges.
+      const std::int8_t c = chain_[t];
+      // Turned by its first two corners: rasterisers that sort a clockwise triangle by swapping
+      // them, as Mesa's do, then compute the very depths of the surface that the cap covers.
+      out[0] = cap[t][c < 0 ? 1 : 0];
+      out[1] = cap[t][c < 0 ? 0 : 1];
+      out[2] = cap[t][2];
+      out += c != 0 ? 3 : 0;
     }
   }
   return out;
@@ -232,15 +264,14 @@ std::uint32_t* VolumeBuilder::append_cap(Index* out, std::span<const scene::Tria
 VolumeIndices VolumeBuilder::build(glm::dvec4 light, const VolumeOptions& options) {
   light = normalized_light(light);
   fill_chain(light, options.faces);
-  summarize_patches();
   const bool one_point = light.w == 0 && options.reach == Reach::infinite;
   Index* const begin = indices_.get();
-  Index* const front = append_sides(begin, !one_point);
+  Index* const front = one_point ? append_sides<false>(begin) : append_sides<true>(begin);
   const bool capped = options.caps == Caps::both;
   Index* const back = capped ? append_cap(front, front_) : front;
   Index* const end = capped && !one_point ? append_cap(back, back_) : back;
   if (options.handedness == Handedness::mirrored) {
-    for (Index* i = begin; i != end; i += 3) std::swap(i[1], i[2]);
+    for (Index* i = begin; i != end; i += 3) std::swap(i[0], i[1]);
   }
   return {{begin, end}, {begin, front}, {front, back}, {back, end}};
 }

@@ -5,12 +5,12 @@
 //
 // Read the ratios of one run; absolute times belong to the machine.
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 #include <new>
 #include <numbers>
-#include <random>
 
 #include <benchmark/benchmark.h>
 
@@ -92,15 +92,18 @@ __attribute__((target_clones("avx2", "default"))) std::uint64_t sum_of(const std
   return sum;
 }
 
-/// Reads and writes, once and in order, as many bytes as `build` must: planes (16 a triangle),
-/// edges (8 each), the chain written and read (1 + 1 a triangle); for caps the indices of all
-/// triangles and the chain again; and the indices that come out.
+/// Reads and writes, once and in order, as many bytes as `build` must: a triangle's plane (16), its
+/// coefficient (1 written, 1 read) and whether it runs on (1); 8 for each edge that is looked up;
+/// for caps the three indices of the triangles that are copied, twice, and the coefficients twice;
+/// and the indices that come out.
 void stream(benchmark::State& state, shadow::Caps caps) {
   shadow::VolumeBuilder builder(adjacency_of(static_cast<std::size_t>(state.range(0))));
   const std::size_t triangles = builder.triangle_count();
   const auto built = builder.build(light_at(16), {.caps = caps});
-  std::size_t reads = triangles * 16 + builder.edge_count() * 8 + triangles;
-  if (caps == shadow::Caps::both) reads += triangles * 12 + triangles;
+  std::size_t reads = triangles * (16 + 1 + 1) + builder.indexed_edge_count() * 8;
+  if (caps == shadow::Caps::both) {
+    reads += triangles * 2 + built.front_cap.size_bytes() + built.back_cap.size_bytes();
+  }
   const std::size_t writes = triangles + built.all.size_bytes();
   std::vector<std::uint64_t> source(reads / 8 + 1, 1), target(writes / 8 + 1);
   int value = 0;

@@ -28,10 +28,16 @@ void expect_exact(const Adjacency& mesh, glm::dvec4 light) {
   }
 }
 
+std::vector<Caster> casters_and_needles() {
+  std::vector<Caster> all = casters();
+  all.push_back({"needles", needles()});
+  return all;
+}
+
 TEST(FacingPlanes, agree_with_the_exact_sign_for_lights_anywhere) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  for (const Caster& caster : casters()) {
+  for (const Caster& caster : casters_and_needles()) {
     SCOPED_TRACE(caster.name);
     const Adjacency mesh = scene::adjacency(caster.mesh);
     for (int trial = 0; trial < 30; ++trial) {
@@ -47,7 +53,7 @@ TEST(FacingPlanes, agree_with_the_exact_sign_for_lights_anywhere) {
 TEST(FacingPlanes, agree_with_the_exact_sign_for_lights_within_an_ulp_of_a_plane) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> weight(-2, 2);
-  for (const Caster& caster : casters()) {
+  for (const Caster& caster : casters_and_needles()) {
     SCOPED_TRACE(caster.name);
     const Adjacency mesh = scene::adjacency(caster.mesh);
     for (int trial = 0; trial < 60; ++trial) {
