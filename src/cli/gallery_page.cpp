@@ -52,7 +52,7 @@ img { display: block; width: 100%; height: auto; border-radius: .25rem; backgrou
 figure { margin: 0; }
 figcaption { font-size: .8125rem; line-height: 1.35; margin-top: .35rem; }
 .stencil { display: block; margin-top: .35rem; }
-.stencil img { object-fit: cover; object-position: top; }
+.stencil img { aspect-ratio: var(--shape); object-fit: cover; object-position: top; }
 .legend { display: flex; flex-wrap: wrap; gap: 0 .6rem; font-size: .75rem; color: var(--quiet); }
 .legend i { display: inline-block; width: .7em; height: .7em; margin-right: .3em; border: 1px solid var(--line); }
 .error { background: var(--bad-ground); color: var(--bad); border-radius: .25rem; padding: .5rem .75rem; margin-top: .75rem; }
@@ -193,7 +193,7 @@ std::string page_of(const Gallery& gallery) {
 <title>shadowlab gallery</title>
 <style>{}</style>
 </head>
-<body>
+<body style="--shape:{}/{}">
 <header>
 <h1>shadowlab gallery</h1>
 <p class="quiet">Every recipe of scripts/, with the colour after each pass, and the stencil where a pass uses it.
@@ -206,8 +206,8 @@ Times are medians of warm frames at {} × {} on {}; shadowlab {}.</p>
 </body>
 </html>
 )",
-      style, gallery.width, gallery.height, escaped(gallery.renderer), version(), contents,
-      articles);
+      style, gallery.width, gallery.height, gallery.width, gallery.height,
+      escaped(gallery.renderer), version(), contents, articles);
 }
 
 }  // namespace shadowlab::cli
