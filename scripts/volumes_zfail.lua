@@ -2,6 +2,7 @@
 -- The camera may then stand in the shadow, and the near plane may cut the volume; in return the
 -- volume needs caps, and a far plane at infinity for the caps that lie there.
 local batches_of = require "parts.batches"
+local own_shadow = require "parts.own_shadow"
 
 local recipe = {
   title   = "Shadow volumes, z-fail",
@@ -40,19 +41,22 @@ function recipe.draw(r)
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
 
-    pass("2. back faces of the volumes, where they are hidden: +1" .. group, function()
+    pass("2. sides turned from the light are in their own shadow" .. group, function()
       volumes = {}
       for k, caster in ipairs(batch) do volumes[k] = shadow.volume(caster, nil, light) end
-      gl.StencilMask(0x7F)
+      own_shadow(volumes, r.volume, seen)
+    end)
+
+    pass("3. back faces of the volumes, where they are hidden: +1" .. group, function()
       gl.StencilFunc(gl.ALWAYS, 0, 0)
       gl.Enable(gl.CULL_FACE)
       gl.CullFace(gl.FRONT)
-      -- INCR would stay at 255 and lose count: INCR_WRAP does not.
+      -- INCR would stay at the highest value and lose count: INCR_WRAP does not.
       gl.StencilOp(gl.KEEP, gl.INCR_WRAP, gl.KEEP)
       for _, volume in ipairs(volumes) do volume:draw(r.volume, seen) end
     end)
 
-    pass("3. front faces, where they are hidden: -1" .. group, function()
+    pass("4. front faces, where they are hidden: -1" .. group, function()
       gl.CullFace(gl.BACK)
       gl.StencilOp(gl.KEEP, gl.DECR_WRAP, gl.KEEP)
       for _, volume in ipairs(volumes) do volume:draw(r.volume, seen) end
@@ -79,12 +83,12 @@ function recipe.draw(r)
   gl.DepthFunc(gl.LEQUAL)
 
   -- NOTEQUAL 0: the slide's EQUAL 1 leaves what two casters shadow without either colour.
-  pass("4. the dark part of the scene", function()
+  pass("5. the dark part of the scene", function()
     gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)
     scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = r.params.darkness })
   end)
 
-  pass("5. the lit part of the scene", function()
+  pass("6. the lit part of the scene", function()
     gl.StencilFunc(gl.EQUAL, 0, 0xFF)
     scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
   end)

@@ -70,27 +70,46 @@ Options read_options(lua_State* L, int index) {
   return options;
 }
 
-void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& options) {
-  VolumeSource& source = *volume.source;
-  const auto mesh =
-      shadow::volume_lecture(source.adjacency, source.next, volume.light, options.edges);
-  if (!source.lecture_vertices) {
-    // The extruded ones are left to the shader, as the builder's are.
+std::unique_ptr<gl::VolumeBuffers> over_adjacency(gl::Graphics& graphics, VolumeSource& source) {
+  if (!source.adjacency_vertices) {
     std::vector<glm::vec4> doubled;
     for (const glm::vec3& p : source.adjacency.positions) {
       doubled.emplace_back(p, 1);
       doubled.emplace_back(p, 0);
     }
-    source.lecture_vertices =
+    source.adjacency_vertices =
         std::make_shared<gl::VolumeVertices>(graphics.gl, graphics.calls(), doubled);
   }
-  if (!volume.lecture_buffers) {
-    volume.lecture_buffers =
-        std::make_unique<gl::VolumeBuffers>(graphics.gl, graphics.calls(), source.lecture_vertices);
-  }
+  return std::make_unique<gl::VolumeBuffers>(graphics.gl, graphics.calls(),
+                                             source.adjacency_vertices);
+}
+
+void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& options) {
+  VolumeSource& source = *volume.source;
+  const auto mesh =
+      shadow::volume_lecture(source.adjacency, source.next, volume.light, options.edges);
+  if (!volume.lecture_buffers) volume.lecture_buffers = over_adjacency(graphics, source);
   volume.lecture_buffers->upload(mesh.indices);
   volume.drawn = volume.lecture_buffers.get();
   volume.sides = volume.all = mesh.indices.size();
+}
+
+// Every triangle, the side that is turned from the light being the front.
+std::vector<std::uint32_t> unlit_sides(const Volume& volume) {
+  const auto& triangles = volume.source->adjacency.triangles;
+  std::vector<std::int8_t> signs(triangles.size());
+  volume.source->facing.signs(volume.light, 0, signs);
+  const int mirrored = glm::determinant(glm::dmat3(volume.model)) < 0 ? -1 : 1;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(triangles.size() * 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[i];
+    if (signs[i] == 0) continue;  // the light is in its plane: no side is turned from it
+    const bool turn = signs[i] * mirrored > 0;
+    // Turned by the first two corners, as the volume's caps are.
+    indices.insert(indices.end(), {2 * (turn ? b : a), 2 * (turn ? a : b), 2 * c});
+  }
+  return indices;
 }
 
 int build(lua_State* L) {
@@ -143,6 +162,17 @@ int draw_all(lua_State* L) {
 
 int draw_sides(lua_State* L) {
   draw_volume(L, Part::sides);
+  return 0;
+}
+
+int draw_unlit(lua_State* L) {
+  VolumeBox& volume = read_box<VolumeBox>(L, 1, "volume:draw_unlit: self");
+  if (!volume->unlit_buffers)
+    volume->unlit_buffers = over_adjacency(Stage::of(L).graphics, *volume->source);
+  const auto indices = unlit_sides(*volume);
+  volume->unlit_buffers->upload(indices);
+  draw_with({L, 2, 3}, volume->model, {}, indices.size(), {}, "sides turned from the light",
+            [&] { volume->unlit_buffers->draw(0, indices.size()); });
   return 0;
 }
 
@@ -249,6 +279,10 @@ constexpr Entry methods[] = {
      "Draws sides and caps: what z-fail counts.", guarded<draw_all>},
     {"draw_sides", "v:draw_sides(shader, {view = , projection = })",
      "Draws the sides alone: what z-pass counts.", guarded<draw_sides>},
+    {"draw_unlit", "v:draw_unlit(shader, {view = , projection = })",
+     "Draws the caster's own triangles, turned so that the front of each is the side turned from "
+     "the light: what shows its front here is in its own shadow, exactly.",
+     guarded<draw_unlit>},
 };
 constexpr std::string_view field_names[] = {"triangles", "side_triangles"};
 

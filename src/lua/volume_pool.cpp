@@ -8,6 +8,7 @@ VolumeSource::VolumeSource(gl::Graphics& graphics, const scene::Mesh& mesh)
     : adjacency(scene::adjacency(mesh)),
       next(scene::next(adjacency)),
       layers(shadow::layers(adjacency)),
+      facing(adjacency.positions, adjacency.triangles),
       builder(adjacency),
       vertices(std::make_shared<gl::VolumeVertices>(graphics.gl, graphics.calls(),
                                                     builder.vertices())) {}

@@ -14,6 +14,7 @@
 #include "lua/box.h"
 #include "lua/stage.h"
 #include "scene/adjacency.h"
+#include "shadow/facing.h"
 #include "shadow/volume.h"
 
 namespace shadowlab::lua {
@@ -25,16 +26,19 @@ struct VolumeSource {
   scene::Adjacency adjacency;
   std::vector<std::array<std::int32_t, 3>> next;
   std::size_t layers;  ///< see shadow::layers
+  shadow::FacingPlanes facing;
   shadow::VolumeBuilder builder;
-  std::shared_ptr<gl::VolumeVertices> vertices;          ///< the builder's
-  std::shared_ptr<gl::VolumeVertices> lecture_vertices;  ///< the adjacency's; made when asked for
+  std::shared_ptr<gl::VolumeVertices> vertices;  ///< the builder's
+  /// The adjacency's vertices, doubled; made when asked for.
+  std::shared_ptr<gl::VolumeVertices> adjacency_vertices;
 };
 
 /// One volume as drawn: its indices, and the light and model that it was built for.
 struct Volume {
   std::shared_ptr<VolumeSource> source;
   std::unique_ptr<gl::VolumeBuffers> buffers;          ///< over source->vertices
-  std::unique_ptr<gl::VolumeBuffers> lecture_buffers;  ///< over source->lecture_vertices
+  std::unique_ptr<gl::VolumeBuffers> lecture_buffers;  ///< over source->adjacency_vertices
+  std::unique_ptr<gl::VolumeBuffers> unlit_buffers;    ///< the same
   const gl::VolumeBuffers* drawn = nullptr;
   std::size_t sides = 0;  ///< indices of the sides, the first
   std::size_t all = 0;

@@ -8,10 +8,20 @@
 #include "core/error.h"
 #include "core/near_names.h"
 #include "core/version.h"
+#include "lua/guard.h"
 #include "lua/value.h"
 
 namespace shadowlab::recipe {
 namespace {
+
+constexpr std::size_t most_passes = 10'000;
+
+int run_body(lua_State* L) {
+  const auto& body = *static_cast<const std::function<void(lua_State*)>*>(lua_touserdata(L, 1));
+  lua_settop(L, 0);
+  body(L);
+  return 0;
+}
 
 double now() {
   using namespace std::chrono;
@@ -23,6 +33,15 @@ std::string text_field(lua_State* L, int table, const char* name) {
   const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
   return text;
+}
+
+// Where files are looked for: beside the recipe, then shadowlab's own.
+std::vector<std::filesystem::path> folders(const std::filesystem::path& recipe_folder,
+                                           Options::Shading shading) {
+  std::vector<std::filesystem::path> list{recipe_folder, home() / "scripts"};
+  if (shading == Options::Shading::visibility) list.push_back(home() / "shaders" / "visibility");
+  list.push_back(home() / "shaders");
+  return list;
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
@@ -37,20 +56,35 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
       time_passes_(options.time_passes),
       state_(
           options.limits, options.print ? options.print : [](std::string_view) {}),
-      stage_{
-          state_, graphics, this, {}, {folder_of(file), home() / "scripts", home() / "shaders"}} {
+      stage_{state_, graphics, this, {}, folders(folder_of(file), options.shading)} {
   graphics_.begin_frame();
   state_.search_in({folder_of(file), home() / "scripts"});
-  lua::open_all(stage_);
-  state_.load_file(file_);
-  state_.call(0, 1);
-  read_table();
-  load_scene(options.scene);
+  try {
+    inside_lua([&](lua_State* L) {
+      lua::open_all(stage_);
+      lua_getglobal(L, "scene");  // the script's own, once it has run
+      lua_getfield(L, -1, "load");
+      scene_load_ = luaL_ref(L, LUA_REGISTRYINDEX);
+      if (const auto problem = state_.try_load_file(L, file_)) throw InputError(*problem);
+      lua_call(L, 0, 1);
+      read_table();
+      load_scene(options.scene);
+    });
+  } catch (...) {
+    graphics_.forget(stage_.objects);
+    throw;
+  }
 }
 
-Recipe::~Recipe() {
-  graphics_.context().make_current();
-  graphics_.forget_recipe();
+Recipe::~Recipe() { graphics_.forget(stage_.objects); }
+
+// Protected and budgeted as a script is, whatever of the script's own runs within: metamethods of
+// its tables, a lack of memory.
+void Recipe::inside_lua(const std::function<void(lua_State*)>& body) {
+  lua_State* L = state_.raw();
+  lua_pushcfunction(L, lua::guarded<run_body>);
+  lua_pushlightuserdata(L, const_cast<std::function<void(lua_State*)>*>(&body));
+  state_.call(1, 0);
 }
 
 void Recipe::read_table() {
@@ -69,7 +103,7 @@ void Recipe::read_table() {
   }
   lua_pop(L, 1);
   description_ = {text_field(L, table, "title"), text_field(L, table, "lecture"),
-                  text_field(L, table, "scene")};
+                  text_field(L, table, "scene"), text_field(L, table, "truth")};
   if (description_.title.empty()) description_.title = file_.stem().string();
   read_parameters(table);
   table_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -107,17 +141,19 @@ void Recipe::load_scene(const std::optional<std::string>& override_name) {
   const std::string name = override_name.value_or(description_.scene);
   if (name.empty()) return;
   lua_State* L = state_.raw();
-  lua_getglobal(L, "scene");
-  lua_getfield(L, -1, "load");
-  lua_remove(L, -2);
+  lua_rawgeti(L, LUA_REGISTRYINDEX, scene_load_);
   lua_pushstring(L, name.c_str());
-  state_.call(1, 1);
+  lua_call(L, 1, 1);
   scene_ = lua::read_box<lua::SceneBox>(L, -1, "the scene");
   description_.scene = name;
   lua_rawgeti(L, LUA_REGISTRYINDEX, context_);
   lua_insert(L, -2);
   lua_setfield(L, -2, "scene");
   lua_pop(L, 1);
+  // Another scene brings its own light: the recipe's default was chosen for its own scene.
+  const bool has_light = std::any_of(parameters_.begin(), parameters_.end(),
+                                     [](const auto& known) { return known.name == "light"; });
+  if (override_name && has_light && !scene_->lights.empty()) set_light(scene_->lights[0].position);
 }
 
 void Recipe::set(const std::string& name, const std::string& value) {
@@ -128,6 +164,43 @@ void Recipe::set(const std::string& name, const std::string& value) {
   }
   throw InputError(
       fmt::format("{} has no parameter {}{}", file_.string(), name, did_you_mean(name, names)));
+}
+
+void Recipe::set_light(glm::dvec4 light) {
+  for (NamedParameter& known : parameters_) {
+    if (known.name != "light") continue;
+    known.parameter.kind =
+        light.w == 0 ? lua::Parameter::Kind::direction : lua::Parameter::Kind::point;
+    const double w = light.w == 0 ? 1 : light.w;
+    known.parameter.value = {light.x / w, light.y / w, light.z / w};
+    return;
+  }
+  throw InputError(fmt::format("{} has no parameter light", file_.string()));
+}
+
+glm::dvec4 Recipe::light() const {
+  for (const NamedParameter& known : parameters_) {
+    if (known.name != "light" || known.parameter.value.size() != 3) continue;
+    const auto& v = known.parameter.value;
+    return {v[0], v[1], v[2], known.parameter.kind == lua::Parameter::Kind::direction ? 0 : 1};
+  }
+  throw InputError(fmt::format("{} has no parameter light", file_.string()));
+}
+
+void Recipe::set_camera(const scene::Camera& camera) {
+  if (scene_) scene_->camera = camera;
+}
+
+bool Recipe::holds() {
+  bool holds = true;
+  state_.restart_budget();
+  inside_lua([&](lua_State* L) {
+    if (!push_function("holds")) return;
+    push_context(0);
+    lua_call(L, 1, 1);
+    holds = lua_toboolean(L, -1);
+  });
+  return holds;
 }
 
 // r, with this frame's parameters, size and time.
@@ -148,45 +221,44 @@ void Recipe::push_context(double time) {
   lua_setfield(L, -2, "time");
 }
 
-void Recipe::push_function(const char* name) {
+bool Recipe::push_function(const char* name) {
   lua_State* L = state_.raw();
   lua_rawgeti(L, LUA_REGISTRYINDEX, table_);
-  lua_getfield(L, -1, name);
-  lua_remove(L, -2);
+  return lua_getfield(L, -1, name) == LUA_TFUNCTION;
 }
 
 void Recipe::set_up() {
-  lua_State* L = state_.raw();
-  push_function("setup");
-  if (lua_isnil(L, -1)) {
-    lua_pop(L, 1);
-  } else {
-    gl::Recorder* recorder = graphics_.recorder();
-    graphics_.trace_into(nullptr);  // a trace is of the frame
+  const gl::Untraced untraced(graphics_.calls());  // a trace is of the frame
+  state_.restart_budget();
+  inside_lua([&](lua_State* L) {
+    if (!push_function("setup")) return;
     push_context(0);
-    state_.restart_budget();
-    state_.call(1, 0);
-    graphics_.trace_into(recorder);
-  }
+    lua_call(L, 1, 0);
+  });
   lua::end_setup(stage_);
   set_up_ = true;
 }
 
 void Recipe::draw(double time) {
-  graphics_.context().make_current();
   lua::begin_frame(stage_);
   if (!set_up_) {
     set_up();
     lua::begin_frame(stage_);
+    graphics_.clear_buffers();
   }
   passes_.clear();
-  push_function("draw");
-  push_context(time);
   state_.restart_budget();
-  state_.call(1, 0);
+  inside_lua([&](lua_State* L) {
+    push_function("draw");
+    push_context(time);
+    lua_call(L, 1, 0);
+  });
 }
 
 void Recipe::begin_pass(const std::string& name) {
+  if (!set_up_) return;  // a step of setup is none of the frame
+  if (passes_.size() >= most_passes)
+    throw InputError(fmt::format("a frame has at most {} passes", most_passes));
   passes_.push_back({name, 0});
   if (gl::Recorder* recorder = graphics_.recorder()) recorder->begin_pass(name);
   if (!time_passes_) return;
@@ -195,6 +267,7 @@ void Recipe::begin_pass(const std::string& name) {
 }
 
 void Recipe::end_pass() {
+  if (!set_up_) return;
   if (time_passes_) {
     graphics_.gl.Finish.unrecorded();
     passes_.back().milliseconds = now() - pass_began_;

@@ -26,6 +26,9 @@ struct Description {
   std::string title;
   std::string lecture;
   std::string scene;  ///< the scene's name; "" for a recipe without one
+  /// What its picture is to be held against: "hard" or "soft" visibility, with " on receivers"
+  /// where casters are not its business; "" where its picture is not visibility at all.
+  std::string truth;
 };
 
 /// A parameter by its name, in alphabetical order.
@@ -45,6 +48,9 @@ struct Options {
   lua::PrintSink print;              ///< where print goes; nowhere if empty
   std::optional<std::string> scene;  ///< in place of the recipe's own
   bool time_passes = false;          ///< glFinish around each pass
+  /// What the stock shaders draw: their shading, or the visibility of the light alone, white where
+  /// it reaches and black where it does not.
+  enum class Shading { full, visibility } shading = Shading::full;
 };
 
 class Recipe : private lua::PassListener {
@@ -63,6 +69,16 @@ class Recipe : private lua::PassListener {
   /// Sets a parameter from a text. Throws InputError for an unknown name, with the near one, or for
   /// a value that it does not take.
   void set(const std::string& name, const std::string& value);
+  /// Sets the parameter "light" to any point (w = 1) or direction (w = 0), whichever of the two it
+  /// is.
+  void set_light(glm::dvec4 light);
+  glm::dvec4 light() const;
+  /// Another camera, in place of the scene's.
+  void set_camera(const scene::Camera& camera);
+
+  /// Whether the technique claims to be right for this camera and light: what the recipe's function
+  /// `holds` says; true without one.
+  bool holds();
 
   /// One frame at `time` seconds, into the main frame: GL's defaults, setup if it is the first,
   /// draw. Throws InputError where the recipe fails; the frame is then incomplete.
@@ -82,7 +98,8 @@ class Recipe : private lua::PassListener {
   void load_scene(const std::optional<std::string>& override_name);
   void set_up();
   void push_context(double time);
-  void push_function(const char* name);
+  bool push_function(const char* name);
+  void inside_lua(const std::function<void(lua_State*)>& body);
 
   gl::Graphics& graphics_;
   std::filesystem::path file_;
@@ -96,6 +113,7 @@ class Recipe : private lua::PassListener {
   std::function<void(std::size_t)> pass_ended_;
   double pass_began_ = 0;
   bool set_up_ = false;
+  int scene_load_ = LUA_NOREF;
   int table_ = LUA_NOREF;    ///< the recipe's table, in Lua's registry
   int context_ = LUA_NOREF;  ///< r, which carries the recipe's resources from frame to frame
 };

@@ -1,0 +1,211 @@
+#include "measure/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/error.h"
+#include "truth/tracer.h"
+
+namespace shadowlab::measure {
+namespace {
+
+// [0, 1), the same on every machine: std::uniform_real_distribution may differ between libraries.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  glm::dvec3 direction() {
+    const double height = between(-1, 1), angle = between(0, 2 * 3.141592653589793);
+    const double radius = std::sqrt(std::max(0.0, 1 - height * height));
+    return {radius * std::cos(angle), height, radius * std::sin(angle)};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+scene::Bounds bounds_of(const scene::Scene& scene, bool casters_alone) {
+  scene::Bounds bounds;
+  for (const auto& object : scene.objects) {
+    if (!casters_alone || object.casts())
+      bounds = merge(bounds, scene::bounds(*object.mesh, object.model));
+  }
+  return bounds;
+}
+
+// The technique's visibility: the red of a picture in which the stock shaders draw it.
+image::FloatImage visibility_of(const image::Image& picture) {
+  image::FloatImage visibility{picture.width, picture.height, {}};
+  visibility.values.resize(picture.rgba.size() / 4);
+  for (std::size_t i = 0; i < visibility.values.size(); ++i) {
+    visibility.values[i] = static_cast<float>(picture.rgba[4 * i]) / 255.0f;
+  }
+  return visibility;
+}
+
+// What is compared in one view, ready for truth::compare: where nothing is claimed both agree.
+struct Pictures {
+  image::FloatImage technique, truth, edges;
+  std::size_t compared = 0;
+};
+
+class Comparer {
+ public:
+  Comparer(gl::Graphics& graphics, const std::filesystem::path& file, const CheckOptions& options)
+      : graphics_(graphics), options_(options), recipe_(graphics, file, recipe_options(options)) {
+    const std::string& truth = recipe_.description().truth;
+    if (truth.empty()) {
+      throw InputError(fmt::format(
+          "{} is not held against a truth; a recipe says so by truth = \"hard\"", file.string()));
+    }
+    if (truth != "hard" && truth != "hard on receivers") {
+      throw InputError(fmt::format("{}: truth is \"hard\" or \"hard on receivers\", not \"{}\"",
+                                   file.string(), truth));
+    }
+    on_receivers_ = truth.ends_with("on receivers");
+    for (const auto& [name, value] : options.settings) recipe_.set(name, value);
+    if (!recipe_.scene()) throw InputError(file.string() + " has no scene to compare");
+    own_light_ = recipe_.light();
+    scene_ = *recipe_.scene();
+    tracer_.emplace(scene_);
+  }
+
+  const recipe::Recipe& recipe() const { return recipe_; }
+
+  /// Nothing where the technique does not claim to hold.
+  std::optional<Pictures> compare(int index) {
+    const View view = view_of(scene_, own_light_, options_.seed, index);
+    recipe_.set_camera(view.camera);
+    recipe_.set_light(view.light);
+    if (!recipe_.holds()) return {};
+    recipe_.draw();
+    const int width = graphics_.width(), height = graphics_.height();
+    scene::Light light;
+    light.position = view.light;
+    Pictures pictures{visibility_of(graphics_.frame.read_color()),
+                      tracer_->visibility(view.camera, light, width, height),
+                      tracer_->edge_mask(view.camera, light, width, height, options_.per_pixel), 0};
+    const auto surfaces = tracer_->surfaces(view.camera, width, height);
+    for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i) {
+      if (claims(surfaces.surfaces[i])) {
+        ++pictures.compared;
+      } else {
+        pictures.technique.values[i] = pictures.truth.values[i];
+      }
+    }
+    return pictures;
+  }
+
+ private:
+  static recipe::Options recipe_options(const CheckOptions& options) {
+    recipe::Options recipe_options;
+    recipe_options.scene = options.scene;
+    recipe_options.shading = recipe::Options::Shading::visibility;
+    return recipe_options;
+  }
+
+  bool claims(const truth::Surface& surface) const {
+    if (!surface.hit()) return false;
+    return !on_receivers_ || !scene_.objects[surface.object].casts();
+  }
+
+  gl::Graphics& graphics_;
+  CheckOptions options_;
+  recipe::Recipe recipe_;
+  scene::Scene scene_;
+  glm::dvec4 own_light_{0};
+  bool on_receivers_ = false;
+  std::optional<truth::Tracer> tracer_;
+};
+
+}  // namespace
+
+View view_of(const scene::Scene& scene, glm::dvec4 light, std::uint64_t seed, int index) {
+  if (index == 0) return {scene.camera, light};
+  Random random(seed * 1'000'003 + static_cast<std::uint64_t>(index));
+  const scene::Bounds casters = bounds_of(scene, true), all = bounds_of(scene, false);
+  const double radius = std::max(casters.radius(), 1e-3);
+  const glm::dvec3 center = casters.center();
+  View view;
+  view.camera.target = center + random.direction() * (0.5 * radius * random.unit());
+  view.camera.eye = center + random.direction() * (radius * random.between(0.1, 3.5));
+  view.camera.up = random.direction();
+  const glm::dvec3 sight = view.camera.target - view.camera.eye;
+  if (glm::length(glm::cross(sight, view.camera.up)) < 1e-3 * glm::length(sight))
+    view.camera.up = {sight.y, sight.z, sight.x};
+  view.camera.fovy = random.between(25, 100);
+  view.camera.near = radius * std::pow(10, random.between(-3, -0.5));
+  view.camera.far = 4 * (glm::length(view.camera.eye - all.center()) + all.radius());
+  const glm::dvec3 toward = random.direction();
+  if (random.unit() < 0.25) {
+    view.light = glm::dvec4(toward, 0);
+  } else {
+    view.light = glm::dvec4(center + toward * (radius * random.between(0.3, 4)), 1);
+  }
+  return view;
+}
+
+CheckResult check(gl::Graphics& graphics, const std::filesystem::path& file,
+                  const CheckOptions& options) {
+  Comparer comparer(graphics, file, options);
+  CheckResult result;
+  result.recipe = file.stem().string();
+  result.scene = comparer.recipe().description().scene;
+  double squares = 0;
+  for (int index = 0; index < options.views; ++index) {
+    const auto pictures = comparer.compare(index);
+    if (!pictures) {
+      ++result.outside;
+      continue;
+    }
+    const auto row = truth::compare(pictures->technique, pictures->truth, pictures->edges);
+    ++result.views;
+    result.pixels += pictures->compared;
+    result.wrong += row.wrong;
+    result.wrong_beyond_edge += row.wrong_beyond_edge;
+    squares += row.rmse * row.rmse * static_cast<double>(row.pixels);
+    if (row.wrong_beyond_edge > result.worst_wrong) {
+      result.worst_wrong = row.wrong_beyond_edge;
+      result.worst_view = index;
+    }
+  }
+  if (result.pixels > 0) result.rmse = std::sqrt(squares / static_cast<double>(result.pixels));
+  return result;
+}
+
+image::Image picture_of(gl::Graphics& graphics, const std::filesystem::path& file,
+                        const CheckOptions& options, int view) {
+  Comparer comparer(graphics, file, options);
+  const auto pictures = comparer.compare(view);
+  const int width = graphics.width(), height = graphics.height();
+  image::Image picture(3 * width, height);
+  if (!pictures) return picture;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x);
+      const auto grey = [](float value) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+      };
+      const std::uint8_t ours = grey(pictures->technique.values[i]),
+                         truth = grey(pictures->truth.values[i]);
+      const bool wrong = std::abs(pictures->technique.values[i] - pictures->truth.values[i]) > 0.5f;
+      const bool edge = pictures->edges.values[i] != 0;
+      picture.set(x, y, {ours, ours, ours, 255});
+      picture.set(width + x, y, {truth, truth, truth, 255});
+      const auto dim = static_cast<std::uint8_t>(truth / 3 + (edge ? 40 : 0));
+      std::array<std::uint8_t, 4> color{dim, dim, dim, 255};
+      if (wrong)
+        color = edge ? std::array<std::uint8_t, 4>{255, 220, 0, 255}
+                     : std::array<std::uint8_t, 4>{255, 0, 0, 255};
+      picture.set(2 * width + x, y, color);
+    }
+  }
+  return picture;
+}
+
+}  // namespace shadowlab::measure

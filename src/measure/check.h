@@ -1,0 +1,64 @@
+// A recipe's picture against the exact truth, over cameras and lights.
+//
+// The stock shaders draw the visibility instead of their shading (white where lit), so that the
+// picture itself is what the technique says of each pixel.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/graphics.h"
+#include "image/image.h"
+#include "recipe/recipe.h"
+#include "truth/comparison.h"
+
+namespace shadowlab::measure {
+
+/// The camera and light of one comparison.
+struct View {
+  scene::Camera camera;
+  glm::dvec4 light{0};
+};
+
+struct CheckOptions {
+  std::optional<std::string> scene;
+  std::vector<std::pair<std::string, std::string>> settings;  ///< parameters
+  int views = 1;           ///< the scene's own, then seeded random ones
+  std::uint64_t seed = 1;  ///< of the random views
+  int per_pixel = 4;       ///< of the edge mask
+};
+
+/// Sums over the views.
+struct CheckResult {
+  std::string recipe;
+  std::string scene;
+  int views = 0;    ///< compared
+  int outside = 0;  ///< left out: the recipe says that its technique does not hold there
+  std::size_t pixels = 0;
+  std::size_t wrong = 0;
+  std::size_t wrong_beyond_edge = 0;
+  double rmse = 0;  ///< over the pixels of all views
+  /// The view with the most wrong pixels beyond the edge, and their number.
+  int worst_view = 0;
+  std::size_t worst_wrong = 0;
+};
+
+/// View `index` of a scene: 0 is its own camera with `light`; the others are random, seeded by
+/// `seed` and `index`: cameras inside and around the scene, looking at it, near planes that cut it;
+/// lights around it, one in four of them at infinity.
+View view_of(const scene::Scene& scene, glm::dvec4 light, std::uint64_t seed, int index);
+
+/// Compares `recipe` in `graphics`. Throws InputError where the recipe fails or is not to be held
+/// against a truth.
+CheckResult check(gl::Graphics& graphics, const std::filesystem::path& recipe,
+                  const CheckOptions& options);
+
+/// What one view looks like, side by side: the technique, the truth, and the wrong pixels (red
+/// beyond an edge, yellow at one).
+image::Image picture_of(gl::Graphics& graphics, const std::filesystem::path& recipe,
+                        const CheckOptions& options, int view);
+
+}  // namespace shadowlab::measure
