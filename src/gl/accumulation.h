@@ -53,6 +53,9 @@ class Accumulation {
   /// GL keeps it, until the storage changes.
   void begin_frame();
 
+  /// Its content is all zero again, as when it was new.
+  void release();
+
   GLuint texture() const { return textures_[current_]; }
 
  private:
@@ -60,7 +63,6 @@ class Accumulation {
     return storage_ == AccumStorage::snorm8 || storage_ == AccumStorage::snorm16;
   }
   void allocate();
-  void release();
   void set_scissor(const std::array<GLint, 4>& box);
   void upload_table(GLfloat value);
   void accumulate(GLenum operation, GLfloat value, std::array<GLint, 4> box);

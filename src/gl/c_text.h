@@ -123,8 +123,9 @@ std::string as_c(std::uint64_t word, std::span<const std::byte> arrays) {
   using namespace c_text;
   if constexpr (std::is_same_v<Kind, Text>) {
     const RecordedArray text = array_at(word, arrays);
-    return '"' + std::string(reinterpret_cast<const char*>(text.bytes.data()), text.bytes.size()) +
-           '"';
+    const std::string_view kept(reinterpret_cast<const char*>(text.bytes.data()),
+                                text.bytes.size());
+    return '"' + escaped(kept) + (kept.size() < text.count ? "…\"" : "\"");
   } else if constexpr (std::is_same_v<Kind, In<Text>>) {
     return "&source";
   } else if constexpr (std::is_same_v<Kind, Bytes>) {

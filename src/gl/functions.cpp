@@ -92,6 +92,7 @@ const FunctionDescription& describe(FunctionId id) {
 }
 
 std::string_view parameter_name(const FunctionDescription& function, std::size_t index) {
+  if (index >= function.arity) return {};
   std::string_view names = function.parameters;
   for (; index > 0; --index) names.remove_prefix(names.find(", ") + 2);
   return names.substr(0, names.find(','));

@@ -31,10 +31,17 @@ enum class FunctionId : std::uint16_t {
   count
 };
 
+constexpr bool sets_uniform(FunctionId id) {
+  return id >= FunctionId::Uniform1f && id <= FunctionId::UniformMatrix4fv;
+}
+
 /// What every function of a table shares.
 struct CallContext {
   Recorder* recorder = nullptr;
   GLuint main_frame = 0;  ///< the framebuffer object that 0 stands for
+  /// How often a recipe set uniforms of the current program by itself: what the core knows of their
+  /// values is then out of date.
+  std::uint64_t foreign_uniforms = 0;
 };
 
 /// While it lives, calls leave no trace: for what the core draws on its own account.
@@ -122,7 +129,7 @@ struct FunctionDescription {
 std::span<const FunctionDescription> function_descriptions();
 const FunctionDescription& describe(FunctionId id);
 
-/// The name of parameter `index` (0-based): "mask".
+/// The name of parameter `index` (0-based): "mask"; nothing where there are not so many.
 std::string_view parameter_name(const FunctionDescription& function, std::size_t index);
 
 }  // namespace shadowlab::gl

@@ -22,18 +22,18 @@ Graphics::Graphics(context::Context context, int width, int height)
       accumulation(gl, calls_, frame, programs),
       meshes(gl, calls_) {
   begin_frame();
+  clear_buffers();
 }
 
-Graphics::~Graphics() {
-  context_.make_current();
-  objects.clear(gl);
-}
+Graphics::~Graphics() { context_.make_current(); }
 
 void Graphics::begin_frame() {
+  context_.make_current();
   const Untraced untraced(calls_);
   reset_state(gl, frame.width(), frame.height());
   vertices.unbind();
   accumulation.begin_frame();
+  meshes.sweep();
   std::erase_if(shaders_, [](const std::weak_ptr<Shader>& shader) { return shader.expired(); });
   for (const auto& weak : shaders_) {
     if (const auto shader = weak.lock()) shader->begin_frame();
@@ -52,11 +52,15 @@ void Graphics::keep_uniforms() {
   }
 }
 
-void Graphics::forget_recipe() {
+void Graphics::forget(Objects& objects) {
   begin_frame();
-  objects.clear(gl);
-  vertices.clear();
-  meshes.sweep();
+  objects.clear(gl, vertices);
+}
+
+void Graphics::clear_buffers() {
+  const Untraced untraced(calls_);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  accumulation.release();
 }
 
 }  // namespace shadowlab::gl

@@ -46,15 +46,18 @@ class Graphics {
   /// The values that shaders hold now are those that frames begin with: called after setup.
   void keep_uniforms();
 
-  /// Deletes the objects that a recipe made; for the next recipe in this context.
-  void forget_recipe();
+  /// Deletes what a recipe made; for the next recipe in this context.
+  void forget(Objects& objects);
+
+  /// The main frame and the accumulation buffer as in a new context: nothing is left of what
+  /// another recipe drew. Called at a frame's begin.
+  void clear_buffers();
 
   const Functions gl;
   MainFrame frame;
   ProgramCache programs;
   Accumulation accumulation;
   MeshCache meshes;
-  Objects objects;
   VertexInput vertices;
 
  private:

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gl/functions.h"
@@ -47,6 +48,8 @@ inline constexpr ObjectType object_type<QueryObject> = ObjectType::query;
 /// "texture", "vertex array": for messages.
 const char* title(ObjectType type);
 
+class VertexInput;
+
 struct ObjectName {
   std::uint32_t slot = 0;
   std::uint32_t generation = 0;
@@ -61,18 +64,19 @@ class Objects {
   /// How many bytes textures, renderbuffers and buffers may take together.
   static constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
 
-  /// Throws InputError past `most`.
-  ObjectName add(ObjectType type, GLuint name);
+  /// Takes the new objects. Throws InputError past `most`, having deleted them.
+  std::vector<ObjectName> add(const Functions& gl, ObjectType type, std::span<const GLuint> names);
   /// GL's name; nothing once the object was removed.
   std::optional<GLuint> find(ObjectName name) const;
   void remove(ObjectName name);
-  /// States that the live object `name` of `type` now takes `bytes`; throws InputError past
-  /// `most_bytes`, before GL is asked for them.
+  /// States that the live object `name` of `type` now takes `bytes`, or at least so many; throws
+  /// InputError past `most_bytes`, before GL is asked for them.
   void resize(ObjectType type, GLuint name, std::uint64_t bytes);
+  void grow(ObjectType type, GLuint name, std::uint64_t bytes);
   std::uint64_t bytes() const { return bytes_; }
 
-  /// Deletes what is left, in GL too.
-  void clear(const Functions& gl);
+  /// Deletes what is left, in GL and of what `vertices` knows.
+  void clear(const Functions& gl, VertexInput& vertices);
 
  private:
   struct Slot {
@@ -82,6 +86,9 @@ class Objects {
     bool live = false;
     std::uint64_t bytes = 0;
   };
+  Slot* find_slot(ObjectType type, GLuint name);
+  void set_bytes(Slot& slot, std::uint64_t bytes);
+
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_;
   std::uint64_t bytes_ = 0;

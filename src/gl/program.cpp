@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "core/error.h"
 
@@ -18,17 +19,36 @@ struct TypeShape {
 };
 
 TypeShape shape_of(GLenum type) {
-  static constexpr TypeShape shapes[] = {
-      {GL_FLOAT, 1, true},        {GL_FLOAT_VEC2, 2, true}, {GL_FLOAT_VEC3, 3, true},
-      {GL_FLOAT_VEC4, 4, true},   {GL_FLOAT_MAT2, 4, true}, {GL_FLOAT_MAT3, 9, true},
-      {GL_FLOAT_MAT4, 16, true},  {GL_INT, 1, false},       {GL_INT_VEC2, 2, false},
-      {GL_INT_VEC3, 3, false},    {GL_INT_VEC4, 4, false},  {GL_BOOL, 1, false},
-      {GL_BOOL_VEC2, 2, false},   {GL_BOOL_VEC3, 3, false}, {GL_BOOL_VEC4, 4, false},
-      {GL_UNSIGNED_INT, 1, false}};
+  static constexpr TypeShape shapes[] = {{GL_FLOAT, 1, true},
+                                         {GL_FLOAT_VEC2, 2, true},
+                                         {GL_FLOAT_VEC3, 3, true},
+                                         {GL_FLOAT_VEC4, 4, true},
+                                         {GL_FLOAT_MAT2, 4, true},
+                                         {GL_FLOAT_MAT3, 9, true},
+                                         {GL_FLOAT_MAT4, 16, true},
+                                         {GL_INT, 1, false},
+                                         {GL_INT_VEC2, 2, false},
+                                         {GL_INT_VEC3, 3, false},
+                                         {GL_INT_VEC4, 4, false},
+                                         {GL_BOOL, 1, false},
+                                         {GL_BOOL_VEC2, 2, false},
+                                         {GL_BOOL_VEC3, 3, false},
+                                         {GL_BOOL_VEC4, 4, false},
+                                         {GL_UNSIGNED_INT, 1, false},
+                                         {GL_UNSIGNED_INT_VEC2, 2, false},
+                                         {GL_UNSIGNED_INT_VEC3, 3, false},
+                                         {GL_UNSIGNED_INT_VEC4, 4, false}};
   for (const TypeShape& shape : shapes) {
     if (shape.type == type) return shape;
   }
   return {type, 1, false};  // samplers: the number of a texture unit
+}
+
+// Doubles and matrices that are not square (OpenGL 4.5, table 7.3).
+bool unsupported(GLenum type) {
+  return type == GL_DOUBLE || (type >= GL_FLOAT_MAT2x3 && type <= GL_FLOAT_MAT4x3) ||
+         (type >= GL_DOUBLE_MAT2 && type <= GL_DOUBLE_MAT4x3) ||
+         (type >= GL_DOUBLE_VEC2 && type <= GL_DOUBLE_VEC4);
 }
 
 std::string log_of(const Functions& gl, GLuint name, bool is_program) {
@@ -105,12 +125,15 @@ Program::Program(const Functions& gl, const ProgramSource& source) : gl_(gl) {
       }
     }
   }
-  reflect();
+  try {
+    reflect();
+  } catch (...) {
+    gl.DeleteProgram.unrecorded(name_);
+    throw;
+  }
 }
 
-Program::~Program() {
-  if (name_) gl_.DeleteProgram.unrecorded(name_);
-}
+Program::~Program() { gl_.DeleteProgram.unrecorded(name_); }
 
 void Program::reflect() {
   GLint active = 0;
@@ -125,6 +148,12 @@ void Program::reflect() {
     if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);
     if (uniform.name.starts_with("gl_")) continue;
     uniform.location = gl_.GetUniformLocation.unrecorded(name_, uniform.name.c_str());
+    if (uniform.location < 0) continue;  // of a uniform block, whose values are in a buffer
+    if (unsupported(uniform.type)) {
+      throw InputError(fmt::format(
+          "uniform {} is of doubles or of a matrix that is not square; use float, mat2, mat3, mat4",
+          uniform.name));
+    }
     uniform.first = initial_.size();
     initial_.resize(initial_.size() + uniform.words());
     const std::size_t each = uniform.words() / static_cast<std::size_t>(uniform.count);
@@ -163,6 +192,7 @@ void send(const Functions& gl, const Uniform& uniform, const std::uint32_t* word
   const std::size_t n = uniform.words();
   const std::span floats(reinterpret_cast<const GLfloat*>(words), n);
   const std::span ints(reinterpret_cast<const GLint*>(words), n);
+  const std::span<const GLuint> unsigned_ints(words, n);
   const GLint at = uniform.location;
   const GLsizei count = uniform.count;
   switch (uniform.type) {
@@ -189,18 +219,27 @@ void send(const Functions& gl, const Uniform& uniform, const std::uint32_t* word
       break;
     case GL_INT_VEC2:
     case GL_BOOL_VEC2:
-      gl.Uniform2i(at, ints[0], ints[1]);
+      gl.Uniform2iv(at, count, ints);
       break;
     case GL_INT_VEC3:
     case GL_BOOL_VEC3:
-      gl.Uniform3i(at, ints[0], ints[1], ints[2]);
+      gl.Uniform3iv(at, count, ints);
       break;
     case GL_INT_VEC4:
     case GL_BOOL_VEC4:
-      gl.Uniform4i(at, ints[0], ints[1], ints[2], ints[3]);
+      gl.Uniform4iv(at, count, ints);
       break;
     case GL_UNSIGNED_INT:
-      gl.Uniform1ui(at, words[0]);
+      gl.Uniform1uiv(at, count, unsigned_ints);
+      break;
+    case GL_UNSIGNED_INT_VEC2:
+      gl.Uniform2uiv(at, count, unsigned_ints);
+      break;
+    case GL_UNSIGNED_INT_VEC3:
+      gl.Uniform3uiv(at, count, unsigned_ints);
+      break;
+    case GL_UNSIGNED_INT_VEC4:
+      gl.Uniform4uiv(at, count, unsigned_ints);
       break;
     default:
       count == 1 ? gl.Uniform1i(at, ints[0]) : gl.Uniform1iv(at, count, ints);
@@ -213,6 +252,8 @@ void send(const Functions& gl, const Uniform& uniform, const std::uint32_t* word
 
 void Program::use(const UniformValues& values) {
   gl_.UseProgram(name_);
+  const std::uint64_t foreign = gl_.UseProgram.shared->foreign_uniforms;
+  if (std::exchange(foreign_uniforms_, foreign) != foreign) sent_.reset();
   for (const Uniform& uniform : uniforms_) {
     const std::uint32_t* words = values.data() + uniform.first;
     const bool same =

@@ -73,6 +73,7 @@ class Program {
   std::vector<std::string> declared_;
   UniformValues initial_;
   std::optional<UniformValues> sent_;
+  std::uint64_t foreign_uniforms_ = 0;  ///< as of `sent_`
 };
 
 /// A program with uniform values of its own: what a recipe holds as a shader. Two recipes that load

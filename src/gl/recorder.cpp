@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "gl/functions.h"
 
 namespace shadowlab::gl {
@@ -13,6 +14,20 @@ constexpr std::size_t kept_bytes =
     256;  // of one array: a matrix, a few names; never whole textures
 
 }  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string quoted;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += {'\\', c};
+    } else if (c >= ' ' && c < '\x7f') {
+      quoted += c;
+    } else {
+      quoted += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    }
+  }
+  return quoted;
+}
 
 std::string TracedCall::as_c() const {
   std::string text = fmt::format("{}({});", function, fmt::join(arguments, ", "));
@@ -32,6 +47,10 @@ void Recorder::clear() {
   comments_.clear();
   passes_.clear();
   pass_ = -1;
+}
+
+void Recorder::refuse() {
+  throw InputError(fmt::format("a trace holds at most {} calls of GL", most_calls));
 }
 
 void Recorder::comment(std::string_view text) {
@@ -58,7 +77,12 @@ TracedCall Recorder::call(std::size_t index) const {
   for (std::size_t i = 0; i < function.arity; ++i) {
     traced.arguments.push_back(function.formatters[i](words_[call.first_word + i], arrays_));
   }
-  if (call.comment >= 0) traced.comment = comments_[static_cast<std::size_t>(call.comment)];
+  if (call.comment >= 0) {
+    traced.comment = escaped(comments_[static_cast<std::size_t>(call.comment)]);
+    // A name must not end the comment.
+    for (std::size_t at = 0; (at = traced.comment.find("*/", at)) != std::string::npos;)
+      traced.comment.insert(at + 1, 1, ' ');
+  }
   traced.pass = call.pass;
   return traced;
 }

@@ -15,6 +15,10 @@
 
 namespace shadowlab::gl {
 
+/// `text` as it stands between the quotes of a C string: other bytes than printable ASCII as octal
+/// escapes.
+std::string escaped(std::string_view text);
+
 /// One recorded call, as the C that a lecture would print.
 struct TracedCall {
   std::string_view function;           ///< "glStencilFunc"
@@ -28,6 +32,9 @@ struct TracedCall {
 
 class Recorder {
  public:
+  /// How many calls one trace holds; a frame that makes more is in error.
+  static constexpr std::size_t most_calls = std::size_t{1} << 20;
+
   void begin_pass(std::string name);
   void end_pass() { pass_ = -1; }
   std::span<const std::string> passes() const { return passes_; }
@@ -37,8 +44,9 @@ class Recorder {
 
   template <class... Kinds>
   void record(std::uint16_t function, const CppOf<Kinds>&... arguments) {
-    calls_.push_back({function, static_cast<std::int16_t>(pass_),
-                      static_cast<std::uint32_t>(words_.size()), -1});
+    if (calls_.size() >= most_calls) [[unlikely]]
+      refuse();
+    calls_.push_back({function, pass_, static_cast<std::uint32_t>(words_.size()), -1});
     (words_.push_back(encode<Kinds>(arguments)), ...);
   }
 
@@ -51,13 +59,14 @@ class Recorder {
  private:
   struct Call {
     std::uint16_t function;
-    std::int16_t pass;
+    std::int32_t pass;
     std::uint32_t first_word;
     std::int32_t comment;
   };
 
   template <class Kind>
   std::uint64_t encode(const CppOf<Kind>& value);
+  [[noreturn]] static void refuse();
   std::uint64_t keep(const void* data, std::size_t bytes, std::size_t count);
 
   std::vector<Call> calls_;

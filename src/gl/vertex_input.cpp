@@ -88,13 +88,17 @@ void VertexInput::enable(GLuint index, bool on) {
   arrays_[array_].attributes[index].enabled = on;
 }
 
-void VertexInput::point(GLuint index, GLint size, GLenum type, GLsizei stride, GLsizeiptr offset) {
+void VertexInput::check_pointer(GLint size, GLsizei stride) const {
   current("gl.VertexAttribPointer");
   if (array_buffer_ == 0) {
     throw InputError("no buffer is bound to gl.ARRAY_BUFFER; call gl.BindBuffer first");
   }
   if (size < 1 || size > 4) throw InputError("an attribute has 1 to 4 components");
-  if (offset < 0) throw InputError("the offset of an attribute is not negative");
+  // OpenGL 4.5, table 23.55: GL_MAX_VERTEX_ATTRIB_STRIDE, under 4.4 without a limit.
+  if (stride > 2048) throw InputError("the stride of an attribute is at most 2048 bytes");
+}
+
+void VertexInput::point(GLuint index, GLint size, GLenum type, GLsizei stride, GLsizeiptr offset) {
   Attribute& attribute = arrays_[array_].attributes[index];
   attribute.buffer = array_buffer_;
   attribute.element = static_cast<std::size_t>(size) * bytes_of(type);
@@ -105,8 +109,13 @@ void VertexInput::point(GLuint index, GLint size, GLenum type, GLsizei stride, G
 void VertexInput::remove_buffer(GLuint buffer) {
   buffers_.erase(buffer);
   if (array_buffer_ == buffer) array_buffer_ = 0;
+  // Arrays that are not bound keep the deleted buffer in GL; its name may be given out again, for
+  // a buffer of another size. Here they have lost it, so that a draw from them is refused.
   for (auto& [name, array] : arrays_) {
     if (array.elements == buffer) array.elements = 0;
+    for (auto& [index, attribute] : array.attributes) {
+      if (attribute.buffer == buffer) attribute.buffer = 0;
+    }
   }
 }
 
@@ -138,7 +147,8 @@ void VertexInput::check_arrays(GLint first, GLsizei count) const {
     check_reach(array, static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(count) - 1);
 }
 
-void VertexInput::check_elements(GLsizei count, GLenum type, GLsizeiptr offset) const {
+void VertexInput::check_elements(GLsizei count, GLenum type, GLsizeiptr offset,
+                                 std::optional<GLuint> restart) const {
   const Array& array = current("a draw");
   const auto buffer = buffers_.find(array.elements);
   if (array.elements == 0 || buffer == buffers_.end()) {
@@ -153,23 +163,18 @@ void VertexInput::check_elements(GLsizei count, GLenum type, GLsizeiptr offset) 
     throw InputError(
         fmt::format("{} indices from byte {} end past the buffer's {} bytes", count, offset, size));
   }
-  std::uint64_t last = 0;
+  std::optional<std::uint64_t> last;
   const std::byte* bytes = buffer->second.data() + offset;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    last = std::max(last, index_at(bytes + i * each, each));
+    const std::uint64_t index = index_at(bytes + i * each, each);
+    if (index != restart) last = std::max(last.value_or(0), index);
   }
-  if (count > 0) check_reach(array, last);
+  if (last) check_reach(array, *last);
 }
 
 void VertexInput::unbind() {
   array_ = 0;
   array_buffer_ = 0;
-}
-
-void VertexInput::clear() {
-  buffers_.clear();
-  arrays_.clear();
-  unbind();
 }
 
 }  // namespace shadowlab::gl

@@ -18,6 +18,9 @@ namespace shadowlab::gl {
 
 class VertexInput {
  public:
+  /// OpenGL 4.5, table 23.55: as many as every context has.
+  static constexpr GLuint attributes = 16;
+
   void bind_buffer(GLenum target, GLuint buffer);
   /// glBufferData and glBufferSubData on the buffer bound to `target`. Throw InputError where none
   /// is bound or the range does not fit.
@@ -27,8 +30,10 @@ class VertexInput {
 
   void bind_array(GLuint array);
   void enable(GLuint index, bool on);
-  /// glVertexAttribPointer. Throws InputError without a bound array, a bound buffer, or a sane
-  /// shape.
+  /// Throws InputError where glVertexAttribPointer would have no bound array, no bound buffer, or
+  /// another shape than GL takes.
+  void check_pointer(GLint size, GLsizei stride) const;
+  /// glVertexAttribPointer, after that check.
   void point(GLuint index, GLint size, GLenum type, GLsizei stride, GLsizeiptr offset);
 
   void remove_buffer(GLuint buffer);
@@ -36,11 +41,12 @@ class VertexInput {
 
   /// Throw InputError with what is missing where the draw would read past a buffer's end.
   void check_arrays(GLint first, GLsizei count) const;
-  void check_elements(GLsizei count, GLenum type, GLsizeiptr offset) const;
+  /// `restart` is the index that names no vertex where GL_PRIMITIVE_RESTART is enabled.
+  void check_elements(GLsizei count, GLenum type, GLsizeiptr offset,
+                      std::optional<GLuint> restart) const;
 
   /// Nothing is bound, as at a frame's begin; buffers and arrays stay.
   void unbind();
-  void clear();
 
  private:
   struct Attribute {

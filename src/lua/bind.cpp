@@ -42,6 +42,25 @@ std::vector<std::string_view> names_of(std::span<const gl::Constant> values) {
   return names;
 }
 
+// "must be one of gl.A, gl.B; it is gl.C; did you mean gl.B?"
+std::string not_one_of(lua_State* L, int index, std::span<const gl::Constant> values) {
+  const auto names = names_of(values);
+  std::string hint;
+  const std::string what = given(L, index, true);
+  if (what.starts_with("gl.")) {
+    if (const auto near = nearest_name(std::string_view(what).substr(3), names)) {
+      hint = fmt::format("; did you mean gl.{}?", *near);
+    }
+  } else if (lua_type(L, index) == LUA_TSTRING) {
+    std::string_view text = lua_tostring(L, index);
+    if (text.starts_with("GL_")) text.remove_prefix(3);
+    const auto near = nearest_name(text, names);
+    if (near) hint = fmt::format("; write gl.{}", *near);
+  }
+  return fmt::format("must be {}{}; it is {}{}", values.size() > 1 ? "one of " : "",
+                     listed(values, ", "), what, hint);
+}
+
 }  // namespace
 
 void Call::refuse(const std::string& why) const {
@@ -69,23 +88,18 @@ void Call::wrong_argument(int index, const std::string& takes) const {
 }
 
 void Call::wrong_enum(int index, std::span<const gl::Constant> values) const {
-  const auto names = names_of(values);
-  std::string hint;
-  const std::string what = given(L, index, true);
-  if (what.starts_with("gl.")) {
-    if (const auto near = nearest_name(std::string_view(what).substr(3), names)) {
-      hint = fmt::format("; did you mean gl.{}?", *near);
-    }
-  } else if (lua_type(L, index) == LUA_TSTRING) {
-    std::string_view text = lua_tostring(L, index);
-    if (text.starts_with("GL_")) text.remove_prefix(3);
-    const auto near = nearest_name(text, names);
-    if (near) hint = fmt::format("; write gl.{}", *near);
-  }
-  const auto& description = gl::describe(function);
-  refuse(fmt::format("argument {} ({}) must be {}{}; it is {}{}", index,
-                     gl::parameter_name(description, static_cast<std::size_t>(index) - 1),
-                     values.size() > 1 ? "one of " : "", listed(values, ", "), what, hint));
+  refuse(
+      fmt::format("argument {} ({}) {}", index,
+                  gl::parameter_name(gl::describe(function), static_cast<std::size_t>(index) - 1),
+                  not_one_of(L, index, values)));
+}
+
+void Call::wrong_element(int index, lua_Integer element,
+                         std::span<const gl::Constant> values) const {
+  refuse(
+      fmt::format("element {} of argument {} ({}) {}", element, index,
+                  gl::parameter_name(gl::describe(function), static_cast<std::size_t>(index) - 1),
+                  not_one_of(L, lua_gettop(L), values)));
 }
 
 void Call::wrong_bits(int index, std::span<const gl::Constant> values) const {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "gl/functions.h"
 #include "lua/guard.h"
@@ -30,6 +32,9 @@ struct Call {
   [[noreturn]] void wrong_count(int least, int most) const;
   [[noreturn]] void wrong_argument(int index, const std::string& takes) const;
   [[noreturn]] void wrong_enum(int index, std::span<const gl::Constant> values) const;
+  /// Of element `element` of the table at `index`, whose value is on top of the stack.
+  [[noreturn]] void wrong_element(int index, lua_Integer element,
+                                  std::span<const gl::Constant> values) const;
   [[noreturn]] void wrong_bits(int index, std::span<const gl::Constant> values) const;
   [[noreturn]] void refuse(const std::string& why) const;
   [[noreturn]] void gl_refused(GLenum error) const;
@@ -49,17 +54,18 @@ struct Call {
     }
   }
 
+  // Lua itself would take "1" for 1.
+  bool is_number(int index) const { return lua_type(L, index) == LUA_TNUMBER; }
   lua_Integer integer(int index, lua_Integer least, lua_Integer most, const char* takes) const {
     int is_integer = 0;
     const lua_Integer value = lua_tointegerx(L, index, &is_integer);
-    if (!is_integer || value < least || value > most) [[unlikely]]
+    if (!is_integer || !is_number(index) || value < least || value > most) [[unlikely]]
       wrong_argument(index, takes);
     return value;
   }
   double number(int index, double most) const {
-    int is_number = 0;
-    const double value = lua_tonumberx(L, index, &is_number);
-    if (!is_number || !(std::abs(value) <= most)) [[unlikely]]
+    const double value = lua_tonumberx(L, index, nullptr);
+    if (!is_number(index) || !(std::abs(value) <= most)) [[unlikely]]
       wrong_argument(index, "a finite number");
     return value;
   }
@@ -67,6 +73,19 @@ struct Call {
   /// Argument `index` (1-based) as `Kind` takes it.
   template <class Kind>
   gl::CppOf<Kind> argument(int index) const;
+
+  /// The first arguments, one of each kind, read first to last: so that the first wrong one is
+  /// reported.
+  template <class... Kinds>
+  std::tuple<gl::CppOf<Kinds>...> arguments() const {
+    return arguments<Kinds...>(std::index_sequence_for<Kinds...>());
+  }
+
+ private:
+  template <class... Kinds, std::size_t... I>
+  std::tuple<gl::CppOf<Kinds>...> arguments(std::index_sequence<I...>) const {
+    return {argument<Kinds>(static_cast<int>(I) + 1)...};
+  }
 };
 
 template <class Kind>
@@ -76,7 +95,8 @@ gl::CppOf<Kind> Call::argument(int index) const {
     int is_integer = 0;
     const lua_Integer value = lua_tointegerx(L, index, &is_integer);
     const auto name = static_cast<GLenum>(value);
-    if (!is_integer || value != name || !gl::is_one_of<Kind>(name)) [[unlikely]] {
+    if (!is_integer || !is_number(index) || value != name || !gl::is_one_of<Kind>(name))
+        [[unlikely]] {
       wrong_enum(index, Kind::values);
     }
     return name;
@@ -85,7 +105,7 @@ gl::CppOf<Kind> Call::argument(int index) const {
     const lua_Integer value = lua_tointegerx(L, index, &is_integer);
     lua_Integer all = 0;
     for (const gl::Constant& bit : Kind::values) all |= bit.value;
-    if (!is_integer || (value & ~all) != 0) [[unlikely]]
+    if (!is_integer || !is_number(index) || (value & ~all) != 0) [[unlikely]]
       wrong_bits(index, Kind::values);
     return static_cast<GLbitfield>(value);
   } else if constexpr (std::is_base_of_v<gl::ObjectKind, Kind>) {
@@ -93,7 +113,8 @@ gl::CppOf<Kind> Call::argument(int index) const {
   } else if constexpr (std::is_same_v<Kind, gl::Int> || std::is_same_v<Kind, gl::ParameterValue>) {
     return static_cast<GLint>(integer(index, limits::min(), limits::max(), "an integer"));
   } else if constexpr (std::is_same_v<Kind, gl::Uint>) {
-    return static_cast<GLuint>(integer(index, 0, limits::max(), "an integer that is not negative"));
+    return static_cast<GLuint>(
+        integer(index, 0, 0xFFFFFFFFll, "an integer of 32 bits that is not negative"));
   } else if constexpr (std::is_same_v<Kind, gl::Size>) {
     return static_cast<GLsizei>(
         integer(index, 0, limits::max(), "a size: an integer that is not negative"));
@@ -141,48 +162,48 @@ inline Stage& stage_of_function(lua_State* L) {
 
 namespace bind {
 
+struct Skip {
+  template <class... Arguments>
+  void operator()(const Call&, const Arguments&...) const {}
+};
+
 template <class Function>
-struct Plain;
+struct Of;
 
 template <gl::FunctionId Id, class Result, class... Kinds>
-struct Plain<gl::Function<Id, Result, Kinds...>> {
-  template <std::size_t... I>
-  static int run(const Call& call, const gl::Function<Id, Result, Kinds...>& function,
-                 std::index_sequence<I...>) {
+struct Of<gl::Function<Id, Result, Kinds...>> {
+  template <auto Before, auto After>
+  static int run(const Call& call, const gl::Function<Id, Result, Kinds...>& function) {
     call.expect(sizeof...(Kinds));
     if (!function) [[unlikely]]
       not_in_this_context(call);
-    // Braces: arguments are read first to last, so that the first wrong one is reported.
-    std::tuple<gl::CppOf<Kinds>...> arguments{call.argument<Kinds>(static_cast<int>(I) + 1)...};
-    if constexpr (std::is_void_v<gl::RawOf<Result>>) {
-      function(std::get<I>(arguments)...);
-      call.check_error();
-      return 0;
-    } else {
-      const auto result = function(std::get<I>(arguments)...);
-      call.check_error();
-      return push_result<Result>(call.L, result);
-    }
+    return std::apply(
+        [&](const auto&... arguments) {
+          Before(call, arguments...);
+          if constexpr (gl::sets_uniform(Id)) call.stage.graphics.calls().foreign_uniforms++;
+          if constexpr (std::is_void_v<gl::RawOf<Result>>) {
+            function(arguments...);
+            call.check_error();
+            After(call, arguments...);
+            return 0;
+          } else {
+            const auto result = function(arguments...);
+            call.check_error();
+            return push_result<Result>(call.L, result);
+          }
+        },
+        call.arguments<Kinds...>());
   }
 };
 
-/// gl.NAME for a plain function; `Member` is its place in the table.
-template <auto Member>
+/// gl.NAME for a function of the table, `Member` its place there. With the arguments, already read,
+/// `Before` throws where the function has a condition of its own; `After` is told that GL took
+/// them.
+template <auto Member, auto Before = Skip(), auto After = Skip()>
 int plain(lua_State* L) {
   using Function = std::remove_cvref_t<decltype(std::declval<gl::Functions>().*Member)>;
   const Call call{L, stage_of_function(L), Function::id};
-  return Plain<Function>::run(call, call.gl().*Member, std::make_index_sequence<Function::arity>());
-}
-
-/// The same with a condition of the function's own, checked before; it reads arguments as it likes.
-template <auto Member, void (*Check)(const Call&)>
-int checked(lua_State* L) {
-  using Function = std::remove_cvref_t<decltype(std::declval<gl::Functions>().*Member)>;
-  const Call call{L, stage_of_function(L), Function::id};
-  call.expect(Function::arity);
-  if (!(call.gl().*Member)) not_in_this_context(call);
-  Check(call);
-  return plain<Member>(L);
+  return Of<Function>::template run<Before, After>(call, call.gl().*Member);
 }
 
 }  // namespace bind

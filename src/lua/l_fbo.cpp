@@ -34,12 +34,12 @@ int give(lua_State* L, GLenum target, GLenum internal, int width, int height,
 
   std::array<GLuint, 1> texture{}, frame{};
   gl.GenFramebuffers(1, frame);
-  push_object(stage, L, gl::ObjectType::framebuffer, frame[0]);
+  push_objects(stage, L, gl::ObjectType::framebuffer, frame);
   gl.GenTextures(1, texture);
-  push_object(stage, L, gl::ObjectType::texture, texture[0]);
-  stage.graphics.objects.resize(gl::ObjectType::texture, texture[0],
-                                std::uint64_t{16} * static_cast<std::uint64_t>(width) *
-                                    static_cast<std::uint64_t>(height) * (cube ? 6 : 1));
+  push_objects(stage, L, gl::ObjectType::texture, texture);
+  stage.objects.resize(gl::ObjectType::texture, texture[0],
+                       std::uint64_t{16} * static_cast<std::uint64_t>(width) *
+                           static_cast<std::uint64_t>(height) * (cube ? 6 : 1));
   gl.BindTexture(target, texture[0]);
   const bool depth = internal == GL_DEPTH_COMPONENT24 || internal == GL_DEPTH_COMPONENT16 ||
                      internal == GL_DEPTH_COMPONENT32F;
@@ -61,15 +61,16 @@ int give(lua_State* L, GLenum target, GLenum internal, int width, int height,
   const GLenum status = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_before);
   gl.BindTexture(target, texture_before);
-  if (status != GL_FRAMEBUFFER_COMPLETE || gl.GetError.pointer() != GL_NO_ERROR) {
+  const GLenum error = gl.GetError.pointer();  // asked for in any case: it is not another call's
+  if (status != GL_FRAMEBUFFER_COMPLETE || error != GL_NO_ERROR) {
     throw InputError(fmt::format("fbo.{}: this context cannot draw to that format", function));
   }
   return 2;
 }
 
 int depth(lua_State* L) {
-  return give(L, GL_TEXTURE_2D, GL_DEPTH_COMPONENT24, size_argument(L, 1, "depth"),
-              size_argument(L, 2, "depth"), "depth");
+  const int width = size_argument(L, 1, "depth"), height = size_argument(L, 2, "depth");
+  return give(L, GL_TEXTURE_2D, GL_DEPTH_COMPONENT24, width, height, "depth");
 }
 
 int color(lua_State* L) {

@@ -1,6 +1,7 @@
 // glGen*, glCreate*, glDelete*: names of objects.
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "lua/bind.h"
@@ -17,9 +18,19 @@ int read_count(const Call& call, int index) {
 
 int give(const Call& call, gl::ObjectType type, std::span<const GLuint> names) {
   call.check_error();
-  luaL_checkstack(call.L, static_cast<int>(names.size()) + 4, "too many objects at once");
-  for (const GLuint name : names) push_object(call.stage, call.L, type, name);
+  push_objects(call.stage, call.L, type, names);
   return static_cast<int>(names.size());
+}
+
+// GL binds its own framebuffer 0 in place of a deleted one; here 0 is the main frame.
+void bind_main_frame_for_none(const gl::Functions& gl) {
+  for (const auto& [target, binding] :
+       {std::pair(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING),
+        std::pair(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING)}) {
+    GLint bound = 0;
+    gl.GetIntegerv.unrecorded(binding, {&bound, 1});
+    if (bound == 0) gl.BindFramebuffer.unrecorded(target, 0);
+  }
 }
 
 /// gl.GenTextures(n): n objects, as n results.
@@ -66,19 +77,20 @@ int remove(lua_State* L) {
   std::vector<gl::ObjectName> objects;
   for (int i = 2; i <= count + 1; ++i) {
     const auto object = object_at(call, i, gl::object_type<Kind>);
-    const auto name = object ? call.stage.graphics.objects.find(*object) : std::nullopt;
+    const auto name = object ? call.stage.objects.find(*object) : std::nullopt;
     if (!name) continue;  // GL ignores 0 and what is gone already
     names.push_back(*name);
     objects.push_back(*object);
   }
   (call.gl().*Member)(static_cast<GLsizei>(names.size()), names);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    call.stage.graphics.objects.remove(objects[i]);
+    call.stage.objects.remove(objects[i]);
     if constexpr (std::is_same_v<Kind, gl::BufferObject>)
       call.stage.graphics.vertices.remove_buffer(names[i]);
     if constexpr (std::is_same_v<Kind, gl::VertexArrayObject>)
       call.stage.graphics.vertices.remove_array(names[i]);
   }
+  if constexpr (std::is_same_v<Kind, gl::FramebufferObject>) bind_main_frame_for_none(call.gl());
   call.check_error();
   return 0;
 }

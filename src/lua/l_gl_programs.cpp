@@ -36,10 +36,10 @@ int remove(lua_State* L) {
   const Call call{L, stage_of_function(L), Function::id};
   call.expect(1);
   const auto object = object_at(call, 1, gl::object_type<Kind>);
-  const auto name = object ? call.stage.graphics.objects.find(*object) : std::nullopt;
+  const auto name = object ? call.stage.objects.find(*object) : std::nullopt;
   if (!name) return 0;
   (call.gl().*Member)(*name);
-  call.stage.graphics.objects.remove(*object);
+  call.stage.objects.remove(*object);
   call.check_error();
   return 0;
 }
@@ -65,8 +65,8 @@ int get(lua_State* L) {
   const Call call{L, stage_of_function(L), Function::id};
   call.expect(2);
   GLint value = 0;
-  const GLuint name = call.argument<Kind>(1);
-  (call.gl().*Member)(name, call.argument<Parameter>(2), {&value, 1});
+  const auto [name, parameter] = call.arguments<Kind, Parameter>();
+  (call.gl().*Member)(name, parameter, {&value, 1});
   call.check_error();
   return push_result<gl::Int>(L, value);
 }
@@ -93,6 +93,7 @@ int uniform(lua_State* L) {
   call.expect(3);
   const GLint location = call.argument<gl::Int>(1);
   const auto count = static_cast<GLsizei>(call.integer(2, 0, 4096, "a count, 0 to 4096"));
+  call.stage.graphics.calls().foreign_uniforms++;
   (call.gl().*Member)(location, count,
                       read_array_of<T>(call, 3, static_cast<std::size_t>(count) * Components));
   call.check_error();
@@ -107,6 +108,7 @@ int matrix(lua_State* L) {
   const GLint location = call.argument<gl::Int>(1);
   const auto count = static_cast<GLsizei>(call.integer(2, 0, 1024, "a count, 0 to 1024"));
   const GLboolean transpose = call.argument<gl::Bool>(3);
+  call.stage.graphics.calls().foreign_uniforms++;
   (call.gl().*Member)(
       location, count, transpose,
       read_array_of<GLfloat>(call, 4, static_cast<std::size_t>(count) * Components));
@@ -143,6 +145,20 @@ constexpr OwnFunction functions[] = {
      "gl.Uniform4fv(location, count, {number, …})"},
     {FunctionId::Uniform1iv, guarded<uniform<&Functions::Uniform1iv, GLint, 1>>,
      "gl.Uniform1iv(location, count, {integer, …})"},
+    {FunctionId::Uniform2iv, guarded<uniform<&Functions::Uniform2iv, GLint, 2>>,
+     "gl.Uniform2iv(location, count, {integer, …})"},
+    {FunctionId::Uniform3iv, guarded<uniform<&Functions::Uniform3iv, GLint, 3>>,
+     "gl.Uniform3iv(location, count, {integer, …})"},
+    {FunctionId::Uniform4iv, guarded<uniform<&Functions::Uniform4iv, GLint, 4>>,
+     "gl.Uniform4iv(location, count, {integer, …})"},
+    {FunctionId::Uniform1uiv, guarded<uniform<&Functions::Uniform1uiv, GLuint, 1>>,
+     "gl.Uniform1uiv(location, count, {integer, …})"},
+    {FunctionId::Uniform2uiv, guarded<uniform<&Functions::Uniform2uiv, GLuint, 2>>,
+     "gl.Uniform2uiv(location, count, {integer, …})"},
+    {FunctionId::Uniform3uiv, guarded<uniform<&Functions::Uniform3uiv, GLuint, 3>>,
+     "gl.Uniform3uiv(location, count, {integer, …})"},
+    {FunctionId::Uniform4uiv, guarded<uniform<&Functions::Uniform4uiv, GLuint, 4>>,
+     "gl.Uniform4uiv(location, count, {integer, …})"},
     {FunctionId::UniformMatrix2fv, guarded<matrix<&Functions::UniformMatrix2fv, 4>>,
      "gl.UniformMatrix2fv(location, count, transpose, {number, …})"},
     {FunctionId::UniformMatrix3fv, guarded<matrix<&Functions::UniformMatrix3fv, 9>>,

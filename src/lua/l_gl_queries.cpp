@@ -1,6 +1,8 @@
-// What GL is asked: state, and counts of drawn samples.
+// What GL is asked: state, counts of drawn samples, pixels.
 #include <array>
+#include <cstring>
 
+#include "lua/array.h"
 #include "lua/bind.h"
 #include "lua/l_gl.h"
 
@@ -31,6 +33,14 @@ std::optional<GLint> own_state(const Call& call, GLenum name) {
   }
 }
 
+bool main_frame_is_bound(const Call& call, GLenum buffer_name) {
+  GLint bound = 0;
+  call.gl().GetIntegerv.unrecorded(
+      buffer_name == GL_DRAW_BUFFER ? GL_DRAW_FRAMEBUFFER_BINDING : GL_READ_FRAMEBUFFER_BINDING,
+      {&bound, 1});
+  return static_cast<GLuint>(bound) == call.stage.graphics.calls().main_frame;
+}
+
 // Names of objects are no integers in Lua.
 bool is_object(GLenum name) {
   return name == GL_ARRAY_BUFFER_BINDING || name == GL_CURRENT_PROGRAM;
@@ -51,6 +61,11 @@ int get(lua_State* L) {
   } else {
     (call.gl().*Member)(name, values);
     call.check_error();
+    // The main frame's colour buffer is an attachment to GL alone.
+    if ((name == GL_DRAW_BUFFER || name == GL_READ_BUFFER) && main_frame_is_bound(call, name) &&
+        values[0] != static_cast<T>(GL_NONE)) {
+      values[0] = static_cast<T>(GL_BACK);
+    }
   }
   for (int i = 0; i < count; ++i) {
     const T value = values[static_cast<std::size_t>(i)];
@@ -68,11 +83,111 @@ int get(lua_State* L) {
 int get_query(lua_State* L) {
   const Call call{L, stage_of_function(L), FunctionId::GetQueryObjectuiv};
   call.expect(2);
+  const auto [query, parameter] = call.arguments<gl::QueryObject, gl::QueryParameter>();
   GLuint value = 0;
-  const GLuint query = call.argument<gl::QueryObject>(1);
-  call.gl().GetQueryObjectuiv(query, call.argument<gl::QueryParameter>(2), {&value, 1});
+  call.gl().GetQueryObjectuiv(query, parameter, {&value, 1});
   call.check_error();
   lua_pushinteger(L, value);
+  return 1;
+}
+
+int get_attachment_parameter(lua_State* L) {
+  const Call call{L, stage_of_function(L), FunctionId::GetFramebufferAttachmentParameteriv};
+  call.expect(3);
+  const auto [target, attachment, parameter] =
+      call.arguments<gl::FramebufferTarget, gl::Attachment, gl::AttachmentParameter>();
+  GLint value = 0;
+  call.gl().GetFramebufferAttachmentParameteriv(target, attachment, parameter, {&value, 1});
+  call.check_error();
+  return push_result<gl::Int>(L, value);
+}
+
+int get_renderbuffer_parameter(lua_State* L) {
+  const Call call{L, stage_of_function(L), FunctionId::GetRenderbufferParameteriv};
+  call.expect(2);
+  const auto [target, parameter] =
+      call.arguments<gl::RenderbufferTarget, gl::RenderbufferParameter>();
+  GLint value = 0;
+  call.gl().GetRenderbufferParameteriv(target, parameter, {&value, 1});
+  call.check_error();
+  return push_result<gl::Int>(L, value);
+}
+
+// ---- reading back
+
+std::size_t components_of(const Call& call, GLenum format) {
+  switch (format) {
+    case GL_RG:
+    case GL_RG_INTEGER:
+      return 2;
+    case GL_RGB:
+    case GL_BGR:
+    case GL_RGB_INTEGER:
+      return 3;
+    case GL_RGBA:
+    case GL_BGRA:
+    case GL_RGBA_INTEGER:
+      return 4;
+    case GL_DEPTH_STENCIL:
+      call.refuse("read gl.DEPTH_COMPONENT and gl.STENCIL_INDEX one by one");
+    default:
+      return 1;
+  }
+}
+
+double number_at(const std::byte* bytes, GLenum type) {
+  const auto as = [bytes]<class T>(T value) {
+    std::memcpy(&value, bytes, sizeof value);
+    return static_cast<double>(value);
+  };
+  switch (type) {
+    case GL_BYTE:
+      return as(GLbyte{});
+    case GL_UNSIGNED_BYTE:
+      return as(GLubyte{});
+    case GL_SHORT:
+      return as(GLshort{});
+    case GL_UNSIGNED_SHORT:
+      return as(GLushort{});
+    case GL_INT:
+      return as(GLint{});
+    case GL_FLOAT:
+      return as(GLfloat{});
+    default:
+      return as(GLuint{});
+  }
+}
+
+/// A table of numbers, row by row from the lowest, as GL fills its array.
+int read_pixels(lua_State* L) {
+  const Call call{L, stage_of_function(L), FunctionId::ReadPixels};
+  call.expect(6);
+  const auto [x, y, width, height, format, type] =
+      call.arguments<gl::Int, gl::Int, gl::Size, gl::Size, gl::PixelFormat, gl::PixelType>();
+  if (type == GL_UNSIGNED_INT_24_8)
+    call.refuse("read gl.DEPTH_COMPONENT and gl.STENCIL_INDEX one by one");
+  const std::size_t numbers = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                              components_of(call, format);
+  if (numbers > (std::size_t{1} << 24)) call.refuse("reads at most 16 million numbers at once");
+  call.stage.state.check_budget(numbers);
+  const std::size_t each = bytes_of_type(type);
+  std::vector<std::byte> pixels(numbers * each);
+  GLint alignment = 4;
+  call.gl().GetIntegerv.unrecorded(GL_PACK_ALIGNMENT, {&alignment, 1});
+  call.gl().PixelStorei.unrecorded(GL_PACK_ALIGNMENT, 1);
+  call.gl().ReadPixels(x, y, width, height, format, type, pixels);
+  call.gl().PixelStorei.unrecorded(GL_PACK_ALIGNMENT, alignment);
+  call.check_error();
+  lua_createtable(L, static_cast<int>(numbers), 0);
+  for (std::size_t i = 0; i < numbers; ++i) {
+    const double number = number_at(pixels.data() + i * each, type);
+    if (type == GL_FLOAT) {
+      lua_pushnumber(L, number);
+    } else {
+      lua_pushinteger(L, static_cast<lua_Integer>(number));
+    }
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
   return 1;
 }
 
@@ -86,6 +201,12 @@ constexpr OwnFunction functions[] = {
      "gl.GetBooleanv(pname) -> boolean…"},
     {FunctionId::GetQueryObjectuiv, guarded<get_query>,
      "gl.GetQueryObjectuiv(id, pname) -> integer"},
+    {FunctionId::GetFramebufferAttachmentParameteriv, guarded<get_attachment_parameter>,
+     "gl.GetFramebufferAttachmentParameteriv(target, attachment, pname) -> integer"},
+    {FunctionId::GetRenderbufferParameteriv, guarded<get_renderbuffer_parameter>,
+     "gl.GetRenderbufferParameteriv(target, pname) -> integer"},
+    {FunctionId::ReadPixels, guarded<read_pixels>,
+     "gl.ReadPixels(x, y, width, height, format, type) -> {number, …}"},
 };
 
 }  // namespace

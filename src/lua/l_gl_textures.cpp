@@ -38,17 +38,28 @@ GLuint bound_texture(const Call& call, GLenum target) {
   return static_cast<GLuint>(name);
 }
 
-// What an image of this size takes, mipmaps included; 16 bytes a texel is the most of
-// InternalFormat.
-void count_bytes(const Call& call, GLuint texture, GLsizei width, GLsizei height, GLsizei depth,
-                 int images) {
-  if (width > most_side || height > most_side || depth > most_side) {
+struct Extent {
+  GLsizei width, height, depth = 1;
+  std::uint64_t texels() const {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+           static_cast<std::uint64_t>(depth);
+  }
+};
+
+void check_sides(const Call& call, const Extent& extent) {
+  if (extent.width > most_side || extent.height > most_side || extent.depth > most_side) {
     call.refuse(fmt::format("a texture is at most {} texels wide, high and deep", most_side));
   }
+}
+
+// What an image takes, with all the levels of which it is one; 16 bytes a texel is the most of
+// InternalFormat.
+void count_bytes(const Call& call, GLuint texture, GLint level, const Extent& extent, int images) {
+  check_sides(call, extent);
+  if (level < 0 || level > 14) call.refuse("a level is 0 to 14");
   const std::uint64_t texels =
-      static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
-      static_cast<std::uint64_t>(depth) * static_cast<std::uint64_t>(images);
-  call.stage.graphics.objects.resize(gl::ObjectType::texture, texture, texels * 16 * 4 / 3);
+      (extent.texels() << (2 * level)) * static_cast<std::uint64_t>(images);
+  call.stage.objects.grow(gl::ObjectType::texture, texture, texels * 16 * 4 / 3);
 }
 
 int images_of(GLenum target) { return binding_of(target) == GL_TEXTURE_BINDING_CUBE_MAP ? 6 : 1; }
@@ -72,10 +83,10 @@ std::size_t components_of(GLenum format) {
   }
 }
 
-/// The pixels of `texels` texels as bytes, or none for nil where the image may be empty.
-std::vector<std::byte> pixels(const Call& call, int index, std::uint64_t texels, GLenum format,
+/// The pixels of an image as bytes, or none for nil where it may be empty.
+std::vector<std::byte> pixels(const Call& call, int index, const Extent& extent, GLenum format,
                               GLenum type) {
-  const std::uint64_t needed = texels * components_of(format) * bytes_of_type(type);
+  const std::uint64_t needed = extent.texels() * components_of(format) * bytes_of_type(type);
   if (needed > gl::Objects::most_bytes) call.refuse("the image is too large");
   auto bytes = read_bytes(call, index, type, needed);
   const bool none = lua_isnoneornil(call.L, index);
@@ -102,23 +113,15 @@ class TightRows {
   GLint before_ = 4;
 };
 
-std::uint64_t area(GLsizei width, GLsizei height, GLsizei depth = 1) {
-  return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
-         static_cast<std::uint64_t>(depth);
-}
-
 int tex_image_2d(lua_State* L) {
   const Call call{L, stage_of_function(L), FunctionId::TexImage2D};
   call.expect(8, 9);
-  const GLenum target = call.argument<gl::ImageTarget2D>(1);
-  const GLint level = call.argument<gl::Int>(2);
-  const GLenum internal = call.argument<gl::InternalFormat>(3);
-  const GLsizei width = call.argument<gl::Size>(4), height = call.argument<gl::Size>(5);
-  const GLint border = call.argument<gl::Int>(6);
-  const GLenum format = call.argument<gl::PixelFormat>(7), type = call.argument<gl::PixelType>(8);
+  const auto [target, level, internal, width, height, border, format, type] =
+      call.arguments<gl::ImageTarget2D, gl::Int, gl::InternalFormat, gl::Size, gl::Size, gl::Int,
+                     gl::PixelFormat, gl::PixelType>();
   const GLuint texture = bound_texture(call, target);
-  if (level == 0) count_bytes(call, texture, width, height, 1, images_of(target));
-  const auto data = pixels(call, 9, area(width, height), format, type);
+  count_bytes(call, texture, level, {width, height}, images_of(target));
+  const auto data = pixels(call, 9, {width, height}, format, type);
   const TightRows tight(call);
   call.gl().TexImage2D(target, level, internal, width, height, border, format, type, data);
   call.check_error();
@@ -128,16 +131,12 @@ int tex_image_2d(lua_State* L) {
 int tex_image_3d(lua_State* L) {
   const Call call{L, stage_of_function(L), FunctionId::TexImage3D};
   call.expect(9, 10);
-  const GLenum target = call.argument<gl::ImageTarget3D>(1);
-  const GLint level = call.argument<gl::Int>(2);
-  const GLenum internal = call.argument<gl::InternalFormat>(3);
-  const GLsizei width = call.argument<gl::Size>(4), height = call.argument<gl::Size>(5),
-                depth = call.argument<gl::Size>(6);
-  const GLint border = call.argument<gl::Int>(7);
-  const GLenum format = call.argument<gl::PixelFormat>(8), type = call.argument<gl::PixelType>(9);
+  const auto [target, level, internal, width, height, depth, border, format, type] =
+      call.arguments<gl::ImageTarget3D, gl::Int, gl::InternalFormat, gl::Size, gl::Size, gl::Size,
+                     gl::Int, gl::PixelFormat, gl::PixelType>();
   const GLuint texture = bound_texture(call, target);
-  if (level == 0) count_bytes(call, texture, width, height, depth, 1);
-  const auto data = pixels(call, 10, area(width, height, depth), format, type);
+  count_bytes(call, texture, level, {width, height, depth}, 1);
+  const auto data = pixels(call, 10, {width, height, depth}, format, type);
   const TightRows tight(call);
   call.gl().TexImage3D(target, level, internal, width, height, depth, border, format, type, data);
   call.check_error();
@@ -147,14 +146,13 @@ int tex_image_3d(lua_State* L) {
 int tex_sub_image_2d(lua_State* L) {
   const Call call{L, stage_of_function(L), FunctionId::TexSubImage2D};
   call.expect(9);
-  const GLenum target = call.argument<gl::ImageTarget2D>(1);
-  const GLint level = call.argument<gl::Int>(2), x = call.argument<gl::Int>(3),
-              y = call.argument<gl::Int>(4);
-  const GLsizei width = call.argument<gl::Size>(5), height = call.argument<gl::Size>(6);
-  const GLenum format = call.argument<gl::PixelFormat>(7), type = call.argument<gl::PixelType>(8);
+  const auto [target, level, x, y, width, height, format, type] =
+      call.arguments<gl::ImageTarget2D, gl::Int, gl::Int, gl::Int, gl::Size, gl::Size,
+                     gl::PixelFormat, gl::PixelType>();
   bound_texture(call, target);
+  check_sides(call, {width, height});
   if (lua_isnil(L, 9)) call.wrong_argument(9, "a table of numbers or a string of bytes");
-  const auto data = pixels(call, 9, area(width, height), format, type);
+  const auto data = pixels(call, 9, {width, height}, format, type);
   const TightRows tight(call);
   call.gl().TexSubImage2D(target, level, x, y, width, height, format, type, data);
   call.check_error();
@@ -167,40 +165,41 @@ int parameters(lua_State* L) {
   using Function = std::remove_cvref_t<decltype(std::declval<gl::Functions>().*Member)>;
   const Call call{L, stage_of_function(L), Function::id};
   call.expect(3);
-  const auto first = call.argument<First>(1);
-  const GLenum name = call.argument<Parameter>(2);
-  (call.gl().*Member)(first, name,
-                      read_array_of<GLfloat>(call, 3, name == GL_TEXTURE_BORDER_COLOR ? 4 : 1));
+  const auto [first, name] = call.arguments<First, Parameter>();
+  const auto values = read_array_of<GLfloat>(call, 3, name == GL_TEXTURE_BORDER_COLOR ? 4 : 1);
+  if constexpr (std::is_same_v<First, gl::TextureTarget>) bound_texture(call, first);
+  (call.gl().*Member)(first, name, values);
   call.check_error();
   return 0;
 }
 
-void stores_2d(const Call& call) {
-  const GLenum target = call.argument<gl::StorageTarget2D>(1);
-  count_bytes(call, bound_texture(call, target), call.argument<gl::Size>(4),
-              call.argument<gl::Size>(5), 1, images_of(target));
+// ---- what is checked before the functions that take their arguments as they are
+
+constexpr auto needs_texture = [](const Call& call, GLenum target, auto...) {
+  bound_texture(call, target);
+};
+
+void stores_2d(const Call& call, GLenum target, GLsizei, GLenum, GLsizei width, GLsizei height) {
+  count_bytes(call, bound_texture(call, target), 0, {width, height}, images_of(target));
 }
-void stores_3d(const Call& call) {
-  const GLenum target = call.argument<gl::ImageTarget3D>(1);
-  count_bytes(call, bound_texture(call, target), call.argument<gl::Size>(4),
-              call.argument<gl::Size>(5), call.argument<gl::Size>(6), 1);
+void stores_3d(const Call& call, GLenum target, GLsizei, GLenum, GLsizei width, GLsizei height,
+               GLsizei depth) {
+  count_bytes(call, bound_texture(call, target), 0, {width, height, depth}, 1);
 }
-void stores_named(const Call& call) {
-  count_bytes(call, call.argument<gl::TextureObject>(1), call.argument<gl::Size>(4),
-              call.argument<gl::Size>(5), 1, 6);
+void stores_named(const Call& call, GLuint texture, GLsizei, GLenum, GLsizei width,
+                  GLsizei height) {
+  count_bytes(call, texture, 0, {width, height}, 6);
 }
-void aligns(const Call& call) {
-  const lua_Integer value = call.integer(2, 1, 8, "1, 2, 4 or 8");
-  if ((value & (value - 1)) != 0) call.wrong_argument(2, "1, 2, 4 or 8");
+void aligns(const Call& call, GLenum, GLint value) {
+  if (value != 1 && value != 2 && value != 4 && value != 8) call.wrong_argument(2, "1, 2, 4 or 8");
 }
 // glCopyTexImage2D allocates too.
-void copies_image(const Call& call) {
-  const GLenum target = call.argument<gl::ImageTarget2D>(1);
-  count_bytes(call, bound_texture(call, target), call.argument<gl::Size>(6),
-              call.argument<gl::Size>(7), 1, images_of(target));
+void copies_image(const Call& call, GLenum target, GLint level, GLenum, GLint, GLint, GLsizei width,
+                  GLsizei height, GLint) {
+  count_bytes(call, bound_texture(call, target), level, {width, height}, images_of(target));
 }
 
-using bind::checked;
+using bind::plain;
 using gl::Functions;
 constexpr OwnFunction functions[] = {
     {FunctionId::TexImage2D, guarded<tex_image_2d>,
@@ -212,19 +211,20 @@ constexpr OwnFunction functions[] = {
     {FunctionId::TexSubImage2D, guarded<tex_sub_image_2d>,
      "gl.TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels: "
      "{number, …} | bytes)"},
+    {FunctionId::TexParameteri, guarded<plain<&Functions::TexParameteri, needs_texture>>, nullptr},
+    {FunctionId::TexParameterf, guarded<plain<&Functions::TexParameterf, needs_texture>>, nullptr},
     {FunctionId::TexParameterfv,
      guarded<parameters<&Functions::TexParameterfv, gl::TextureTarget, gl::TextureParameter>>,
      "gl.TexParameterfv(target, pname, {number, …})"},
     {FunctionId::SamplerParameterfv,
      guarded<parameters<&Functions::SamplerParameterfv, gl::SamplerObject, gl::SamplerParameter>>,
      "gl.SamplerParameterfv(sampler, pname, {number, …})"},
-    {FunctionId::TexStorage2D, guarded<checked<&Functions::TexStorage2D, stores_2d>>, nullptr},
-    {FunctionId::TexStorage3D, guarded<checked<&Functions::TexStorage3D, stores_3d>>, nullptr},
-    {FunctionId::TextureStorage2D, guarded<checked<&Functions::TextureStorage2D, stores_named>>,
+    {FunctionId::TexStorage2D, guarded<plain<&Functions::TexStorage2D, stores_2d>>, nullptr},
+    {FunctionId::TexStorage3D, guarded<plain<&Functions::TexStorage3D, stores_3d>>, nullptr},
+    {FunctionId::TextureStorage2D, guarded<plain<&Functions::TextureStorage2D, stores_named>>,
      nullptr},
-    {FunctionId::CopyTexImage2D, guarded<checked<&Functions::CopyTexImage2D, copies_image>>,
-     nullptr},
-    {FunctionId::PixelStorei, guarded<checked<&Functions::PixelStorei, aligns>>, nullptr},
+    {FunctionId::CopyTexImage2D, guarded<plain<&Functions::CopyTexImage2D, copies_image>>, nullptr},
+    {FunctionId::PixelStorei, guarded<plain<&Functions::PixelStorei, aligns>>, nullptr},
 };
 
 }  // namespace

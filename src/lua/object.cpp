@@ -13,18 +13,14 @@ constexpr int types = static_cast<int>(gl::ObjectType::query) + 1;
 // Addresses that nobody else uses: where the registry keeps each type's metatable.
 const char keys[types] = {};
 
-struct Boxed {
-  const gl::Objects* owner;
-  gl::ObjectName name;
-};
-
-const Boxed* boxed_at(lua_State* L, int index, gl::ObjectType type) {
+// A script's objects are those of its own stage, so the name says all.
+const gl::ObjectName* boxed_at(lua_State* L, int index, gl::ObjectType type) {
   void* memory = lua_touserdata(L, index);
   if (!memory || !lua_getmetatable(L, index)) return nullptr;
   lua_rawgetp(L, LUA_REGISTRYINDEX, &keys[static_cast<int>(type)]);
   const bool same = lua_rawequal(L, -1, -2);
   lua_pop(L, 2);
-  return same ? static_cast<const Boxed*>(memory) : nullptr;
+  return same ? static_cast<const gl::ObjectName*>(memory) : nullptr;
 }
 
 bool is_zero(lua_State* L, int index) {
@@ -38,18 +34,18 @@ std::string takes(gl::ObjectType type) {
 }
 
 int text_of(lua_State* L) {
-  const auto* boxed = static_cast<const Boxed*>(lua_touserdata(L, 1));
-  if (!boxed) return luaL_error(L, "not a GL object");
-  lua_pushfstring(L, "%s %d", gl::title(boxed->name.type), static_cast<int>(boxed->name.slot) + 1);
+  const auto* object = static_cast<const gl::ObjectName*>(lua_touserdata(L, 1));
+  if (!object) return luaL_error(L, "not a GL object");
+  lua_pushfstring(L, "%s %d", gl::title(object->type), static_cast<int>(object->slot) + 1);
   return 1;
 }
 
 int same(lua_State* L) {
   for (int type = 0; type < types; ++type) {
-    const Boxed* a = boxed_at(L, 1, static_cast<gl::ObjectType>(type));
-    const Boxed* b = boxed_at(L, 2, static_cast<gl::ObjectType>(type));
+    const auto* a = boxed_at(L, 1, static_cast<gl::ObjectType>(type));
+    const auto* b = boxed_at(L, 2, static_cast<gl::ObjectType>(type));
     if (a && b) {
-      lua_pushboolean(L, a->owner == b->owner && a->name == b->name);
+      lua_pushboolean(L, *a == *b);
       return 1;
     }
   }
@@ -73,27 +69,27 @@ void open_objects(lua_State* L) {
   }
 }
 
-void push_object(Stage& stage, lua_State* L, gl::ObjectType type, GLuint name) {
-  auto* boxed = static_cast<Boxed*>(lua_newuserdatauv(L, sizeof(Boxed), 0));
-  *boxed = {&stage.graphics.objects, stage.graphics.objects.add(type, name)};
-  lua_rawgetp(L, LUA_REGISTRYINDEX, &keys[static_cast<int>(type)]);
-  lua_setmetatable(L, -2);
+void push_objects(Stage& stage, lua_State* L, gl::ObjectType type, std::span<const GLuint> names) {
+  const auto objects = stage.objects.add(stage.graphics.gl, type, names);
+  luaL_checkstack(L, static_cast<int>(names.size()) + 4, "too many objects at once");
+  for (const gl::ObjectName& object : objects) {
+    new (lua_newuserdatauv(L, sizeof object, 0)) gl::ObjectName(object);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &keys[static_cast<int>(type)]);
+    lua_setmetatable(L, -2);
+  }
 }
 
 std::optional<gl::ObjectName> object_at(const Call& call, int index, gl::ObjectType type) {
   if (is_zero(call.L, index)) return {};
-  const Boxed* boxed = boxed_at(call.L, index, type);
-  if (!boxed) call.wrong_argument(index, takes(type));
-  if (boxed->owner != &call.stage.graphics.objects) {
-    call.refuse(fmt::format("argument {} is a {} of another context", index, gl::title(type)));
-  }
-  return boxed->name;
+  const gl::ObjectName* object = boxed_at(call.L, index, type);
+  if (!object) call.wrong_argument(index, takes(type));
+  return *object;
 }
 
 GLuint read_object(const Call& call, int index, gl::ObjectType type) {
   const auto name = object_at(call, index, type);
   if (!name) return 0;
-  const auto found = call.stage.graphics.objects.find(*name);
+  const auto found = call.stage.objects.find(*name);
   if (!found)
     call.refuse(fmt::format("argument {} is a {} that was deleted", index, gl::title(type)));
   return *found;

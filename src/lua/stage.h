@@ -36,6 +36,8 @@ struct Stage {
   /// Where files that a recipe names are looked for, first to last: beside it, then shadowlab's
   /// own.
   std::vector<std::filesystem::path> folders;
+  /// The GL objects that scripts made by gl.Gen* and their like.
+  gl::Objects objects = {};
   /// The shadow volumes that the recipe asked for.
   std::shared_ptr<VolumePool> volumes = nullptr;
   std::shared_ptr<TruthPool> truths = nullptr;
