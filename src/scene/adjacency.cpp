@@ -162,11 +162,7 @@ Adjacency adjacency(const Mesh& mesh, Weld weld) {
   if (mesh.triangle_count() > (std::size_t{1} << 30)) {
     throw InputError("The mesh has more than 2^30 triangles; use a smaller one.");
   }
-  for (const std::uint32_t index : mesh.indices) {
-    if (index >= mesh.positions.size()) {
-      throw InputError("The mesh has an index past its last vertex.");
-    }
-  }
+  check(mesh);
   Adjacency out;
   WeldedVertices welded = scene::weld(mesh.positions, weld);
   out.positions = std::move(welded.positions);

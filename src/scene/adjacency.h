@@ -44,7 +44,7 @@ struct Adjacency {
   }
 };
 
-/// Throws InputError for an index past the end and for more than 2^31 / 3 triangles. Linear time
+/// Throws InputError as `check(mesh)` and for more than 2^30 triangles. Linear time
 /// for meshes of bounded valence, n log n for any.
 Adjacency adjacency(const Mesh& mesh, Weld weld = {});
 

@@ -198,9 +198,12 @@ TEST(Adjacency, of_a_fan_round_one_vertex_takes_no_quadratic_time) {
   EXPECT_LT(took.count(), 10);
 }
 
-TEST(Adjacency, refuses_an_index_past_the_end) {
+TEST(Adjacency, refuses_what_is_no_mesh) {
   Mesh mesh = tetra();
   mesh.indices[5] = 4;
+  EXPECT_THROW(adjacency(mesh), InputError);
+  mesh = tetra();
+  mesh.positions[1].y = std::nanf("");
   EXPECT_THROW(adjacency(mesh), InputError);
 }
 

@@ -14,8 +14,10 @@ namespace shadowlab::shadow {
 
 using scene::Mesh;
 
-/// Both meshes as one.
+/// Both meshes as one, without normals.
 inline Mesh joined(Mesh a, const Mesh& b) {
+  a.normals.clear();
+  a.uvs.clear();
   const auto first = static_cast<std::uint32_t>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
   for (const std::uint32_t i : b.indices) a.indices.push_back(first + i);

@@ -77,6 +77,7 @@ TEST(FacingPlanes, agree_with_the_exact_sign_far_from_the_origin_and_at_all_scal
   std::normal_distribution<double> normal;
   for (const double scale : {1e-40, 1e-20, 1.0, 1e20, 1e37}) {
     for (const double offset : {0.0, 1.0, 1e3, 1e6}) {
+      if (scale * offset > 1e37) continue;  // no float
       Mesh mesh = bare(scene::torus());
       for (glm::vec3& p : mesh.positions) p = glm::vec3((glm::dvec3(p) + offset) * scale);
       const Adjacency built = scene::adjacency(mesh);

@@ -1,4 +1,4 @@
-// In a program of its own kind: every allocation is counted.
+// Every allocation of this program is counted.
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -16,6 +16,11 @@ std::atomic<std::size_t> allocations{0};
   allocations.fetch_add(1, std::memory_order_relaxed);
   if (void* const p = std::malloc(size)) return p;
   throw std::bad_alloc();
+}
+// Sanitizers have their own of this one, which does not call the one above.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  return std::malloc(size);
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
