@@ -1,7 +1,8 @@
 -- The oldest shadow: the caster once more, flattened onto the receiver's plane and black. What is
 -- wrong with it can be seen: the plane has no end, so the shadow leaves the table and hangs in the
--- air; without a depth test it covers whatever was drawn before it; and it is black, whatever the
--- table's own colour is. projected_stencil mends all three.
+-- air; without a depth test it covers whatever was drawn before it; it is black, whatever the table's
+-- own colour is; and a caster on the other side of the plane from the light throws one too
+-- (--set light=2,-2,1). projected_stencil mends all four.
 local recipe = {
   title   = "Projected shadow, plain",
   lecture = "000_178f3ee06912f876: Ombres per projecció (un pla)",

@@ -13,6 +13,7 @@
 local recipe = {
   title   = "Projection onto a plane, in its four forms",
   lecture = "000_178f3ee06912f876: Projecció respecte l'origen, un punt, una direcció; 004_502e9deeb91da7bb: Projection centrale, z = 0",
+  scene   = "cube",
   params  = {
     form  = param.choice("light", "origin", "point", "direction", "z = 0"),
     point = param.point(1, 1.25, 0.5),
@@ -24,8 +25,6 @@ local recipe = {
 
 -- The floor is below the origin, since a light in the plane throws no shadow on it.
 local floor, wall = vec4(0, 1, 0, 1.5), vec4(0, 0, 1, 0)
-local side = 0.5
-local cube_at = mat4.translate(0.3, -0.95, 0.75) * mat4.rotate(20, 0, 1, 0)
 
 -- The plane, the light and the matrix of a form.
 local function form_of(r)
@@ -46,7 +45,6 @@ end
 function recipe.setup(r)
   r.phong = shader.load "phong"
   r.flat = shader.load "flat"
-  r.cube = mesh.box(side, side, side)
   r.ball = mesh.sphere(1, 24, 12)
   r.rod = mesh.box(1, 1, 1)
   r.tile = mesh.plane(0.98, 0.98)
@@ -73,10 +71,9 @@ end
 function recipe.draw(r)
   local plane, light, onto_plane = form_of(r)
   if r.params.print then print(onto_plane) end
-  local camera = {
-    view = mat4.look_at(vec3(3.2, 1.9, 6.2), vec3(0.3, -0.35, 0.3), vec3(0, 1, 0)),
-    projection = mat4.perspective(37, r.width / r.height, 0.5, 50),
-  }
+  local cube = r.scene.casters[1]
+  local camera = { view = r.scene.camera:view(),
+                   projection = r.scene.camera:projection(r.width / r.height) }
   -- The direction to a light at infinity, or the light's place.
   local at = light.w ~= 0 and light.xyz / light.w
   local lamp = at and vec4(at, 1) or vec4(light.xyz, 0)
@@ -102,26 +99,28 @@ function recipe.draw(r)
   pass("2. the projected cube", function()
     gl.Enable(gl.POLYGON_OFFSET_FILL)
     gl.PolygonOffset(-1, -1)
-    r.cube:draw(r.flat, { view = camera.view, projection = camera.projection,
-                          model = onto_plane * cube_at, color = vec3(0.30, 0.30, 0.34) })
+    cube:draw(r.flat, { view = camera.view, projection = camera.projection,
+                        model = onto_plane * cube.model, color = vec3(0.32, 0.32, 0.36) })
     gl.Disable(gl.POLYGON_OFFSET_FILL)
   end)
 
   pass("3. the cube and the light", function()
-    r.cube:draw(r.phong, { view = camera.view, projection = camera.projection, model = cube_at,
-                           light = lamp, color = vec3(0.90, 0.62, 0.28), ambient = 0.4 })
+    cube:draw(r.phong, { view = camera.view, projection = camera.projection, light = lamp,
+                         ambient = 0.4 })
     if at then draw_ball(r, camera, at, 0.09, vec3(1.0, 0.80, 0.10)) end
   end)
 
   pass("4. the vertices, their images and the lines between", function()
     for corner = 0, 7 do
-      local v = cube_at:transform_point(vec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) * side
-                                        - vec3(side / 2))
+      local low, high = cube.mesh.low, cube.mesh.high
+      local v = cube.model:transform_point(vec3(corner & 1 == 0 and low.x or high.x,
+                                                corner & 2 == 0 and low.y or high.y,
+                                                corner & 4 == 0 and low.z or high.z))
       local image = onto_plane:transform_point(v)
       -- From the light; from afar where it has no place.
       draw_line(r, camera, at or v + light.xyz:normalize() * 1.2, image, 0.012, vec3(0.95, 0.66, 0.10))
       draw_ball(r, camera, v, 0.035, vec3(0.55, 0.25, 0.05))
-      draw_ball(r, camera, image, 0.035, vec3(0.75, 0.10, 0.35))
+      draw_ball(r, camera, image, 0.035, vec3(0.76, 0.10, 0.36))
     end
   end)
 end

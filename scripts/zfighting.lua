@@ -9,7 +9,8 @@
 -- resolution). Factor alone is nothing where m is 0: the wall. Units alone are less than the noise
 -- where the depths of neighbouring pixels are far apart: the floor. One unit only tells apart depths
 -- that were equal, and the transformation's own rounding may be larger: the lecture's -1, -1 leaves a
--- few specks on the wall. --set units=-4 removes them.
+-- few specks on the wall, and --set units=-4 removes them. The factor has its price: the floor's shadow
+-- comes forward by the depth of a pixel, over the wall's lowest row, behind which its plane goes on.
 local recipe = {
   title   = "Z-fighting and polygon offset",
   lecture = "000_178f3ee06912f876: Z-fighting; Evitar problemes de z-fighting",

@@ -5,16 +5,8 @@ return function(volumes, shader, seen)
   gl.StencilMask(0x80)
   gl.StencilFunc(gl.ALWAYS, 0x80, 0xFF)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
-  gl.Enable(gl.CULL_FACE)
-  gl.CullFace(gl.BACK)
-  -- The same triangles as the scene's, so the same depths; two units for those that were turned or
-  -- clipped, whose rounding may differ.
   gl.DepthFunc(gl.LEQUAL)
-  gl.Enable(gl.POLYGON_OFFSET_FILL)
-  gl.PolygonOffset(0, -2)
   for _, volume in ipairs(volumes) do volume:draw_unlit(shader, seen) end
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
   gl.DepthFunc(gl.LESS)
-  gl.Disable(gl.CULL_FACE)
   gl.StencilMask(0x7F)
 end
