@@ -1,0 +1,194 @@
+// shadowlab run: pictures, and what is said where there can be none.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cstring>
+
+#include "image/image.h"
+#include "program.h"
+
+namespace shadowlab::cli_tests {
+namespace {
+
+constexpr const char* fill = "gl.ClearColor(1, 0, 0, 1) gl.Clear(gl.COLOR_BUFFER_BIT)";
+
+TEST_F(Cli, run_writes_a_picture_of_the_size_asked_for) {
+  write_recipe("fill.lua", fill);
+  const Ended ended = run("run fill.lua -o out.png --size 7x5");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "");
+  const auto picture = image::read_png(folder / "out.png");
+  EXPECT_EQ(picture.width, 7);
+  EXPECT_EQ(picture.height, 5);
+  EXPECT_EQ(picture.at(3, 2), (std::array<std::uint8_t, 4>{255, 0, 0, 255}));
+}
+
+TEST_F(Cli, run_names_the_picture_after_the_recipe) {
+  write_recipe("my fill.lua", fill);
+  EXPECT_EQ(run("run 'my fill.lua' --size 4").code, 0);
+  EXPECT_TRUE(has("my fill.png"));
+}
+
+TEST_F(Cli, run_writes_into_folders_with_spaces) {
+  write_recipe("fill.lua", fill);
+  fs::create_directory(folder / "a b");
+  EXPECT_EQ(run("run fill.lua --size 4 -o 'a b/c d.png'").code, 0);
+  EXPECT_TRUE(has("a b/c d.png"));
+}
+
+TEST_F(Cli, run_writes_the_picture_alone_to_standard_output) {
+  write_recipe("fill.lua", std::string("print('hello') ") + fill);
+  const Ended ended = run("run fill.lua --size 4 --timings -o - | cat");
+  EXPECT_TRUE(ended.out.starts_with("\x89PNG")) << ended.out;
+  EXPECT_TRUE(ended.err.starts_with("hello\n")) << ended.err;
+}
+
+TEST_F(Cli, run_says_that_the_folder_is_missing_before_it_draws) {
+  write_recipe("fill.lua", std::string("print('drawn') ") + fill);
+  const Ended ended = run("run fill.lua -o nowhere/out.png");
+  expect_sentence(ended, 2, "there is no folder nowhere");
+  EXPECT_EQ(ended.out, "");
+}
+
+TEST_F(Cli, run_says_that_a_folder_is_read_only) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  write_recipe("fill.lua", fill);
+  fs::create_directory(folder / "locked");
+  fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  expect_sentence(run("run fill.lua -o locked/out.png"), 2, "Permission denied");
+}
+
+TEST_F(Cli, run_says_where_a_recipe_is_not_lua) {
+  write("bad.lua", "local r = {\nreturn r\n");
+  expect_sentence(run("run bad.lua -o out.png"), 2, "bad.lua:2: ");
+  EXPECT_FALSE(has("out.png"));
+}
+
+TEST_F(Cli, run_says_in_which_line_and_pass_a_recipe_fails) {
+  write_recipe("bad.lua", "pass('2. the shadow', function()\n  gl.Enable(gl.STENCIL_TST)\nend)");
+  const Ended ended = run("run bad.lua -o out.png");
+  expect_sentence(ended, 2, "bad.lua:4: in pass \"2. the shadow\"");
+  EXPECT_THAT(ended.err, testing::HasSubstr("did you mean gl.STENCIL_TEST?"));
+  EXPECT_FALSE(has("out.png"));
+}
+
+TEST_F(Cli, run_refuses_what_is_no_recipe) {
+  write("empty.lua", "");
+  fs::create_directory(folder / "folder");
+  write("picture.png", "\x89PNG\r\n\x1a\n");
+  expect_sentence(run("run empty.lua"), 2, "returns a table with a function draw");
+  expect_sentence(run("run folder"), 2, "folder is a folder");
+  expect_sentence(run("run picture.png"), 2, "picture.png:1: ");
+  expect_sentence(run("run nothing.lua"), 2, "nothing.lua does not exist");
+  expect_sentence(run("run projected_stencl"), 2, "did you mean projected_stencil?");
+}
+
+TEST_F(Cli, run_refuses_sizes_that_no_picture_has) {
+  write_recipe("fill.lua", fill);
+  for (const char* size :
+       {"0x4", "4x0", "-1x4", "4x", "x4", "axb", "16385x1", "99999999999x1", "''"})
+    expect_sentence(run(std::string("run fill.lua --size ") + size), 2,
+                    "--size takes WIDTHxHEIGHT");
+}
+
+TEST_F(Cli, run_refuses_settings_that_the_recipe_does_not_take) {
+  const std::string command = "run projected_stencil --size 8 -o out.png ";
+  expect_sentence(run(command + "--set ligth=1,2,3"), 2, "did you mean light?");
+  expect_sentence(run(command + "--set light"), 2, "--set takes NAME=VALUE");
+  expect_sentence(run(command + "--set light=1,2"), 2, "three numbers");
+  expect_sentence(run(command + "--set light=1,2,x"), 2, "three numbers");
+  expect_sentence(run(command + "--set light=nan,inf,0"), 2, "three numbers");
+  expect_sentence(run(command + "--set darkness=7"), 2, "from 0 to 1");
+  expect_sentence(run(command + "--set"), 2, "--set needs a value");
+  EXPECT_FALSE(has("out.png"));
+}
+
+TEST_F(Cli, run_refuses_frames_that_are_no_number) {
+  write_recipe("fill.lua", fill);
+  expect_sentence(run("run fill.lua --frames 0"), 2, "from 1 to 100000");
+  expect_sentence(run("run fill.lua --frames many"), 2, "--frames = many");
+}
+
+TEST_F(Cli, run_draws_frames_a_sixtieth_of_a_second_apart) {
+  write_recipe("time.lua", "print(r.time * 60)");
+  EXPECT_EQ(run("run time.lua --size 4 --frames 3").out, "0.0\n1.0\n2.0\n");
+}
+
+TEST_F(Cli, run_prints_a_row_of_time_for_each_pass) {
+  write_recipe("two.lua", "pass('first', function() end) pass('second', function() end)");
+  const Ended ended = run("run two.lua --size 4 --timings");
+  EXPECT_THAT(ended.out, testing::MatchesRegex("pass +ms +share\nfirst +[0-9.]+ +[0-9]+%\n"
+                                               "second +[0-9.]+ +[0-9]+%\nframe +[0-9.]+\n"));
+}
+
+TEST_F(Cli, a_context_that_is_not_there_ends_with_3) {
+  write_recipe("fill.lua", fill);
+  expect_sentence(run("run fill.lua --context glfw", "env -u DISPLAY -u WAYLAND_DISPLAY"), 3,
+                  "no display");
+  expect_sentence(run("run fill.lua --context osmsa"), 2, "did you mean osmesa?");
+}
+
+// The header of NumPy's format 1.0, and how many bytes follow it.
+struct Array {
+  std::string header;
+  std::size_t bytes;
+};
+Array array_of(const fs::path& file) {
+  const std::string text = text_of(file);
+  EXPECT_TRUE(text.starts_with(std::string("\x93NUMPY\x01\x00", 8))) << file;
+  if (text.size() < 10) return {};
+  const std::size_t length =
+      static_cast<unsigned char>(text[8]) + 256u * static_cast<unsigned char>(text[9]);
+  EXPECT_EQ((10 + length) % 64, 0u) << "numpy.lib.format: data begins at a multiple of 64";
+  return {text.substr(10, length), text.size() - 10 - length};
+}
+
+TEST_F(Cli, captures_are_pictures_and_arrays_of_each_pass) {
+  write_recipe(
+      "two.lua",
+      "pass('1. mark', function() gl.ClearStencil(7) gl.Clear(gl.STENCIL_BUFFER_BIT) end)\n"
+      "pass('a \"b\" \\xff', function() end)");
+  const Ended ended = run("run two.lua --size 6x4 --captures 'the passes'");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const fs::path captures = folder / "the passes";
+  const Array color = array_of(captures / "01_mark.color.npy");
+  EXPECT_THAT(color.header, testing::HasSubstr("'descr': '|u1', 'fortran_order': False"));
+  EXPECT_THAT(color.header, testing::HasSubstr("'shape': (4, 6, 4"));
+  EXPECT_EQ(color.bytes, 4u * 6 * 4);
+  const Array depth = array_of(captures / "01_mark.depth.npy");
+  EXPECT_THAT(depth.header, testing::HasSubstr("'descr': '<f4'"));
+  EXPECT_EQ(depth.bytes, 4u * 6 * sizeof(float));
+  const Array stencil = array_of(captures / "01_mark.stencil.npy");
+  EXPECT_EQ(stencil.bytes, 4u * 6);
+  EXPECT_EQ(text_of(captures / "01_mark.stencil.npy").back(), 7);
+  for (const char* name : {"01_mark.depth.png", "02_a_b.color.png", "02_a_b.stencil.png"})
+    EXPECT_NO_THROW(image::read_png(captures / name)) << name;
+  EXPECT_TRUE(fs::exists(captures / "index.json"));
+}
+
+TEST_F(Cli, two_runs_on_any_number_of_threads_give_the_same_files) {
+  std::string first;
+  for (const char* threads : {"0", "1", "8", "8"}) {
+    const std::string name = std::string(threads) + ".png";
+    const Ended ended = run("run projected_stencil --size 200x150 --captures c -o " + name,
+                            std::string("env LP_NUM_THREADS=") + threads);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    std::string all = text_of(folder / name);
+    std::vector<fs::path> captures(fs::directory_iterator(folder / "c"), {});
+    std::sort(captures.begin(), captures.end());
+    for (const auto& file : captures) all += text_of(file);
+    if (first.empty()) first = all;
+    EXPECT_TRUE(all == first) << threads << " threads";
+  }
+}
+
+TEST_F(Cli, an_interrupt_leaves_no_part_of_a_file) {
+  write_recipe("long.lua", "while true do end");
+  const Ended ended = run("run long.lua -o out.png", "timeout -s INT 0.5");
+  EXPECT_EQ(ended.code, 124) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 3) << ".out, .err and the recipe";
+}
+
+}  // namespace
+}  // namespace shadowlab::cli_tests
