@@ -112,28 +112,33 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t t) {
 }
 
 void find_components(Adjacency& out) {
-  std::vector<std::uint32_t> parent(out.triangles.size());
+  std::vector<std::uint32_t>& parent = out.component;
+  parent.resize(out.triangles.size());
   std::iota(parent.begin(), parent.end(), 0u);
+  std::vector<std::uint8_t> bounded(out.triangles.size(), 0);  // has an edge of the boundary
   for (std::size_t e = 0; e < out.edges.size(); ++e) {
     const auto around = out.at(e);
+    std::uint32_t p = root_of(parent, around[0].triangle());
+    int multiplicity = around[0].sign();
     for (const Incidence& incidence : around.subspan(1)) {
-      const std::uint32_t p = root_of(parent, around[0].triangle());
       const std::uint32_t q = root_of(parent, incidence.triangle());
       // The lesser one is the root, so components come in order of their first triangle.
       parent[std::max(p, q)] = std::min(p, q);
+      p = std::min(p, q);
+      multiplicity += incidence.sign();
     }
+    if (multiplicity != 0) bounded[around[0].triangle()] = 1;
   }
-  out.component.resize(out.triangles.size());
-  std::uint32_t components = 0;
-  for (std::uint32_t t = 0; t < out.triangles.size(); ++t) {
-    const std::uint32_t root = root_of(parent, t);
-    out.component[t] = root == t ? components++ : out.component[root];
-  }
-  out.closed.assign(components, 1);
-  for (std::size_t e = 0; e < out.edges.size(); ++e) {
-    int multiplicity = 0;
-    for (const Incidence& incidence : out.at(e)) multiplicity += incidence.sign();
-    if (multiplicity != 0) out.closed[out.component[out.at(e)[0].triangle()]] = 0;
+  // A root's own entry turns into its component's number when its turn comes, before all others'.
+  for (std::uint32_t t = 0; t < parent.size(); ++t) {
+    if (parent[t] == t) {
+      parent[t] = static_cast<std::uint32_t>(out.closed.size());
+      out.closed.push_back(1);
+    } else {
+      // Parents are lesser, so theirs is a number already.
+      parent[t] = parent[parent[t]];
+    }
+    if (bounded[t] != 0) out.closed[parent[t]] = 0;
   }
 }
 

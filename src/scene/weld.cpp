@@ -1,6 +1,7 @@
 #include "scene/weld.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -27,18 +28,31 @@ WeldedVertices weld_equal(std::span<const glm::vec3> positions) {
   welded.vertex_of.reserve(positions.size());
   const std::size_t mask = table_size(positions.size()) - 1;
   std::vector<std::uint32_t> table(mask + 1, none);
-  for (const glm::vec3& p : positions) {
+  const auto slot_of = [mask](const glm::vec3& p) {
     // Adding zero turns -0 into +0.
-    std::size_t slot =
-        mixed(std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
-              std::bit_cast<std::uint32_t>(p.z + 0.0f)) &
-        mask;
-    while (table[slot] != none && welded.positions[table[slot]] != p) slot = (slot + 1) & mask;
-    if (table[slot] == none) {
-      table[slot] = static_cast<std::uint32_t>(welded.positions.size());
-      welded.positions.push_back(p);
+    return mixed(std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
+                 std::bit_cast<std::uint32_t>(p.z + 0.0f)) &
+           mask;
+  };
+  // The table is larger than the cache and its slots are random: so they are asked for some
+  // vertices ahead of their use.
+  constexpr std::size_t ahead = 16;
+  std::array<std::size_t, ahead> slots{};
+  for (std::size_t i = 0; i < positions.size() + ahead; ++i) {
+    if (i >= ahead) {
+      const glm::vec3& p = positions[i - ahead];
+      std::size_t slot = slots[i % ahead];
+      while (table[slot] != none && welded.positions[table[slot]] != p) slot = (slot + 1) & mask;
+      if (table[slot] == none) {
+        table[slot] = static_cast<std::uint32_t>(welded.positions.size());
+        welded.positions.push_back(p);
+      }
+      welded.vertex_of.push_back(table[slot]);
     }
-    welded.vertex_of.push_back(table[slot]);
+    if (i < positions.size()) {
+      slots[i % ahead] = slot_of(positions[i]);
+      __builtin_prefetch(&table[slots[i % ahead]], 1);
+    }
   }
   return welded;
 }
