@@ -8,35 +8,11 @@ namespace shadowlab::lua {
 namespace {
 
 template <class T>
-void append(std::vector<std::byte>& bytes, double number) {
-  T value{};
-  if constexpr (std::is_integral_v<T>) {
-    value = static_cast<T>(static_cast<std::int64_t>(std::fmin(std::fmax(number, -9e15), 9e15)));
-  } else {
-    value = static_cast<T>(number);
-  }
-  const std::size_t at = bytes.size();
-  bytes.resize(at + sizeof value);
-  std::memcpy(bytes.data() + at, &value, sizeof value);
-}
-
-void append(std::vector<std::byte>& bytes, GLenum type, double number) {
-  switch (type) {
-    case GL_BYTE:
-      return append<GLbyte>(bytes, number);
-    case GL_UNSIGNED_BYTE:
-      return append<GLubyte>(bytes, number);
-    case GL_SHORT:
-      return append<GLshort>(bytes, number);
-    case GL_UNSIGNED_SHORT:
-      return append<GLushort>(bytes, number);
-    case GL_INT:
-      return append<GLint>(bytes, number);
-    case GL_FLOAT:
-      return append<GLfloat>(bytes, number);
-    default:
-      return append<GLuint>(bytes, number);
-  }
+std::vector<std::byte> bytes_as(const Call& call, int index, std::size_t most_bytes) {
+  const std::vector<T> values = read_array<T>(call, index, most_bytes / sizeof(T));
+  std::vector<std::byte> bytes(values.size() * sizeof(T));
+  if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
 }
 
 template <class T>
@@ -113,10 +89,31 @@ std::vector<std::byte> read_bytes(const Call& call, int index, GLenum type,
     if (length > 0) std::memcpy(bytes.data(), text, length);
     return bytes;
   }
-  const auto numbers = read_numbers(call, index, most_bytes / bytes_of_type(type));
-  bytes.reserve(numbers.size() * bytes_of_type(type));
-  for (const double number : numbers) append(bytes, type, number);
-  return bytes;
+  switch (type) {
+    case GL_BYTE:
+      return bytes_as<GLbyte>(call, index, most_bytes);
+    case GL_UNSIGNED_BYTE:
+      return bytes_as<GLubyte>(call, index, most_bytes);
+    case GL_SHORT:
+      return bytes_as<GLshort>(call, index, most_bytes);
+    case GL_UNSIGNED_SHORT:
+      return bytes_as<GLushort>(call, index, most_bytes);
+    case GL_INT:
+      return bytes_as<GLint>(call, index, most_bytes);
+    case GL_FLOAT:
+      return bytes_as<GLfloat>(call, index, most_bytes);
+    default:
+      return bytes_as<GLuint>(call, index, most_bytes);
+  }
+}
+
+void refuse_element(const Call& call, int index, std::size_t element, double number, double least,
+                    double most) {
+  const bool floats = most > 1e30;
+  call.refuse(fmt::format("element {} of argument {} is {}, which is not {}", element + 1, index,
+                          number,
+                          floats ? std::string("a finite float")
+                                 : fmt::format("an integer from {:.0f} to {:.0f}", least, most)));
 }
 
 }  // namespace shadowlab::lua

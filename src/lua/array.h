@@ -12,18 +12,23 @@ namespace shadowlab::lua {
 /// Throws InputError for anything else, and for a number that is not finite.
 std::vector<double> read_numbers(const Call& call, int index, std::size_t most);
 
-/// The same as GL's element type; integers are checked to be integers in its range.
+/// Throws InputError: element `element` (0-based) does not fit into what is asked for.
+[[noreturn]] void refuse_element(const Call& call, int index, std::size_t element, double number,
+                                 double least, double most);
+
+/// The same as GL's element type; integers are checked to be integers, and all in its range.
 template <class T>
 std::vector<T> read_array(const Call& call, int index, std::size_t most) {
-  std::vector<T> values;
-  for (const double number : read_numbers(call, index, most)) {
-    if constexpr (std::is_integral_v<T>) {
-      const bool fits = number == std::floor(number) &&
-                        number >= double(std::numeric_limits<T>::min()) &&
-                        number <= double(std::numeric_limits<T>::max());
-      if (!fits) call.wrong_argument(index, "a table of integers");
-    }
-    values.push_back(static_cast<T>(number));
+  constexpr auto least = static_cast<double>(std::numeric_limits<T>::lowest());
+  constexpr auto largest = static_cast<double>(std::numeric_limits<T>::max());
+  const std::vector<double> numbers = read_numbers(call, index, most);
+  std::vector<T> values(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double number = numbers[i];
+    const bool whole = std::is_floating_point_v<T> || number == std::floor(number);
+    if (!whole || !(number >= least && number <= largest)) [[unlikely]]
+      refuse_element(call, index, i, number, least, largest);
+    values[i] = static_cast<T>(number);
   }
   return values;
 }

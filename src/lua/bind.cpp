@@ -16,9 +16,9 @@ std::string given(lua_State* L, int index, bool as_constant) {
   if (lua_type(L, index) != LUA_TNUMBER) return describe(L, index);
   if (as_constant && lua_isinteger(L, index)) {
     const lua_Integer value = lua_tointeger(L, index);
-    // 0 and 1 are too many things to be named.
+    // Small numbers are counts, levels and primitives: too many things to be named.
     for (const gl::Constant& constant : gl::all_constants()) {
-      if (value > 1 && static_cast<lua_Integer>(constant.value) == value) {
+      if (value >= 0x100 && static_cast<lua_Integer>(constant.value) == value) {
         return fmt::format("gl.{}", constant.name);
       }
     }
