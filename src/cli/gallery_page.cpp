@@ -56,7 +56,7 @@ figcaption { font-size: .8125rem; line-height: 1.35; margin-top: .35rem; }
 .legend { display: flex; flex-wrap: wrap; gap: 0 .6rem; font-size: .75rem; color: var(--quiet); }
 .legend i { display: inline-block; width: .7em; height: .7em; margin-right: .3em; border: 1px solid var(--line); }
 .error { background: var(--bad-ground); color: var(--bad); border-radius: .25rem; padding: .5rem .75rem; margin-top: .75rem; }
-.time { font-variant-numeric: tabular-nums; }
+.time { font-variant-numeric: tabular-nums; white-space: nowrap; }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .8125rem; }
 details { margin-top: 1rem; }
 summary { cursor: pointer; width: fit-content; }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "image/image.h"
 #include "program.h"
@@ -131,6 +132,28 @@ TEST_F(Cli, new_writes_a_recipe_that_runs_and_overwrites_none) {
   expect_sentence(run("new recipe 'a\"b'"), 2, "is no name");
   expect_sentence(run("new recipe nowhere/x"), 2, "there is no folder nowhere");
   expect_sentence(run("new lab x"), 2, "labs are not there yet");
+}
+
+TEST_F(Cli, the_reference_names_everything_that_a_recipe_sees) {
+  write_recipe(
+      "names.lua",
+      "for _, module in ipairs { 'gl', 'shader', 'mesh', 'scene', 'shadow', 'fbo', 'param',\n"
+      "    'vec2', 'vec3', 'vec4', 'mat3', 'mat4', 'quat' } do\n"
+      "  for name in pairs(_G[module]) do print(module .. '.' .. name) end\n"
+      "end");
+  const Ended ended = run("run names.lua --size 4");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const std::string reference = text_of(SHADOWLAB_SOURCE_DIR "/docs/lua-api.md");
+  std::istringstream names(ended.out);
+  int count = 0;
+  for (std::string name; std::getline(names, name); ++count) {
+    // Methods of vectors and matrices are listed as they are called: v:dot(u).
+    const std::string method = ":" + name.substr(name.find('.') + 1) + "(";
+    const bool found = reference.find(name) != std::string::npos ||
+                       (name[0] != 'g' && reference.find(method) != std::string::npos);
+    EXPECT_TRUE(found) << name;
+  }
+  EXPECT_GT(count, 500);
 }
 
 TEST_F(Cli, diff_ends_with_0_where_pictures_are_alike_and_1_where_not) {
