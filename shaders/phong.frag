@@ -8,6 +8,8 @@ uniform float ambient = 0.25;
 uniform float specular = 0.2;
 uniform float shininess = 32.0;
 uniform float lit = 1.0;      // 0: what a shadow leaves, the ambient part alone
+uniform bool lit_by_texture = false;  // lit comes from a picture of the visibility instead
+uniform sampler2D visibility;
 out vec4 fragment;
 
 void main() {
@@ -18,6 +20,7 @@ void main() {
   float diffuse = max(dot(n, to_light), 0.0);
   vec3 halfway = normalize(to_light + to_eye);
   float highlight = diffuse > 0.0 ? pow(max(dot(n, halfway), 0.0), shininess) : 0.0;
-  vec3 reflected = color * (ambient + lit * (1.0 - ambient) * diffuse) + lit * specular * highlight;
+  float seen = lit_by_texture ? texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).r : lit;
+  vec3 reflected = color * (ambient + seen * (1.0 - ambient) * diffuse) + seen * specular * highlight;
   fragment = vec4(reflected, 1.0);
 }

@@ -8,6 +8,11 @@ uniform float ambient;
 uniform float specular;
 uniform float shininess;
 uniform float lit = 1.0;
+uniform bool lit_by_texture = false;
+uniform sampler2D visibility;
 out vec4 fragment;
 
-void main() { fragment = vec4(vec3(lit), 1.0); }
+void main() {
+  float seen = lit_by_texture ? texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).r : lit;
+  fragment = vec4(vec3(seen), 1.0);
+}
