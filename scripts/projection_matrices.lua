@@ -8,8 +8,8 @@
 -- the axes are x red, y green, z blue, the light is yellow. The matrix is printed with --set print=true.
 --
 -- M is of homogeneous coordinates: its images have a w that is not 1, and only x/w, y/w, z/w are
--- points. The slides' form for a point subtracts P·L without saying on which side it is: with P·L < 0
--- each w is negative, and GL clips the whole shadow away. shadow.planar chooses P's sign.
+-- points. The slides leave the plane's sign to the reader; with P·L < 0 each w is negative, and GL clips
+-- the whole shadow away. shadow.planar chooses the sign.
 local recipe = {
   title   = "Projection onto a plane, in its four forms",
   lecture = "000_178f3ee06912f876: Projecció respecte l'origen, un punt, una direcció; 004_502e9deeb91da7bb: Projection centrale, z = 0",
