@@ -51,3 +51,18 @@ test("the_shadow_leaves_the_receiver_as_its_plane_has_no_end", function()
                  or analytic.levels(by_hand.background))
   end)
 end)
+
+-- With the light below the table all of the teapot is cut from its shadow, and none from itself.
+test("the_caster_itself_is_not_cut", function()
+  local below = render("projected_offset", { set = { light = "2,-2,1" } })
+  local above = render("projected_offset", { set = { light = "2,4,1" } })
+  local covered = 0
+  for y = 0, 255 do
+    for x = 0, 255 do
+      local here = below:depth(x, y) < below:pass(2):depth(x, y)
+      if here then covered = covered + 1 end
+      expect_equal(here, above:depth(x, y) < above:pass(2):depth(x, y))
+    end
+  end
+  expect(covered > 3000, "the teapot is hardly seen")
+end)
