@@ -1,5 +1,7 @@
 #include "gl/graphics.h"
 
+#include <utility>
+
 #include "gl/state.h"
 
 namespace shadowlab::gl {
@@ -31,6 +33,8 @@ void Graphics::begin_frame() {
   context_.make_current();
   const Untraced untraced(calls_);
   reset_state(gl, frame.width(), frame.height());
+  for (const GLuint program : std::exchange(deleted_in_use_, {}))
+    gl.DeleteProgram.unrecorded(program);
   vertices.unbind();
   accumulation.begin_frame();
   meshes.sweep();
@@ -55,6 +59,16 @@ void Graphics::keep_uniforms() {
 void Graphics::forget(Objects& objects) {
   begin_frame();
   objects.clear(gl, vertices);
+}
+
+void Graphics::delete_when_unused(GLuint program) {
+  GLint used = 0;
+  gl.GetIntegerv.unrecorded(GL_CURRENT_PROGRAM, {&used, 1});
+  if (static_cast<GLuint>(used) == program) {
+    deleted_in_use_.push_back(program);
+  } else {
+    gl.DeleteProgram.unrecorded(program);
+  }
 }
 
 void Graphics::clear_buffers() {

@@ -49,6 +49,9 @@ class Graphics {
   /// Deletes what a recipe made; for the next recipe in this context.
   void forget(Objects& objects);
 
+  /// Deletes the program now, or at the next frame's begin where it is in use.
+  void delete_when_unused(GLuint program);
+
   /// The main frame and the accumulation buffer as in a new context: nothing is left of what
   /// another recipe drew. Called at a frame's begin.
   void clear_buffers();
@@ -62,6 +65,7 @@ class Graphics {
 
  private:
   std::vector<std::weak_ptr<Shader>> shaders_;
+  std::vector<GLuint> deleted_in_use_;  ///< programs
 };
 
 }  // namespace shadowlab::gl

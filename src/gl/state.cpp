@@ -24,7 +24,7 @@ constexpr std::array pass_capabilities{GL_COLOR_LOGIC_OP,     GL_CULL_FACE,
                                        GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
                                        GL_CLIP_DISTANCE0,     GL_CLIP_DISTANCE1,
                                        GL_CLIP_DISTANCE2,     GL_CLIP_DISTANCE3};
-constexpr GLuint texture_units = 16;
+constexpr GLuint texture_units = TextureUnit::values.size();
 constexpr GLsizei largest = 16384;  // side of a main frame
 
 }  // namespace

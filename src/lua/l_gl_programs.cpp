@@ -38,7 +38,14 @@ int remove(lua_State* L) {
   const auto object = object_at(call, 1, gl::object_type<Kind>);
   const auto name = object ? call.stage.objects.find(*object) : std::nullopt;
   if (!name) return 0;
-  (call.gl().*Member)(*name);
+  if constexpr (std::is_same_v<Kind, gl::ProgramObject>) {
+    // In use, it lives on until another is used (OpenGL 4.5, section 7.3); to the core's own
+    // drawing, which comes between, it must still be there.
+    (call.gl().*Member).record(*name);
+    call.stage.graphics.delete_when_unused(*name);
+  } else {
+    (call.gl().*Member)(*name);
+  }
   call.stage.objects.remove(*object);
   call.check_error();
   return 0;

@@ -179,6 +179,12 @@ constexpr auto needs_texture = [](const Call& call, GLenum target, auto...) {
   bound_texture(call, target);
 };
 
+// As many units as gl.TEXTUREi has names.
+void counts_units(const Call& call, GLuint unit, GLuint) {
+  constexpr GLuint units = gl::TextureUnit::values.size();
+  if (unit >= units)
+    call.wrong_argument(1, fmt::format("the number of a texture unit, 0 to {}", units - 1));
+}
 void stores_2d(const Call& call, GLenum target, GLsizei, GLenum, GLsizei width, GLsizei height) {
   count_bytes(call, bound_texture(call, target), 0, {width, height}, images_of(target));
 }
@@ -211,6 +217,9 @@ constexpr OwnFunction functions[] = {
     {FunctionId::TexSubImage2D, guarded<tex_sub_image_2d>,
      "gl.TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels: "
      "{number, …} | bytes)"},
+    {FunctionId::BindTextureUnit, guarded<plain<&Functions::BindTextureUnit, counts_units>>,
+     nullptr},
+    {FunctionId::BindSampler, guarded<plain<&Functions::BindSampler, counts_units>>, nullptr},
     {FunctionId::TexParameteri, guarded<plain<&Functions::TexParameteri, needs_texture>>, nullptr},
     {FunctionId::TexParameterf, guarded<plain<&Functions::TexParameterf, needs_texture>>, nullptr},
     {FunctionId::TexParameterfv,

@@ -26,8 +26,10 @@ class GlScript : public testing::Test {
 
   void SetUp() override { start({}); }
   void TearDown() override {
-    EXPECT_EQ(graphics().gl.GetError.pointer(), GLenum{GL_NO_ERROR});
     stop();
+    used_ = nullptr;
+    graphics().begin_frame();
+    EXPECT_EQ(graphics().gl.GetError.pointer(), GLenum{GL_NO_ERROR});
   }
 
   void start(const Limits& limits) {
@@ -44,7 +46,12 @@ class GlScript : public testing::Test {
     stage_.reset();
   }
 
-  gl::Graphics& graphics() { return *graphics_; }
+  gl::Graphics& graphics() { return used_ ? *used_ : *graphics_; }
+  /// Scripts started from now on draw into this context.
+  void use(gl::Graphics& other) {
+    stop();
+    used_ = &other;
+  }
   Stage& stage() { return *stage_; }
   State& state() { return *state_; }
 
@@ -73,6 +80,7 @@ class GlScript : public testing::Test {
 
  private:
   static inline std::unique_ptr<gl::Graphics> graphics_;
+  gl::Graphics* used_ = nullptr;
   std::unique_ptr<State> state_;
   std::unique_ptr<Stage> stage_;
 };
