@@ -34,7 +34,8 @@ function analytic.cast(plane, light, point)
   return point + along * t
 end
 
--- The convex hull of vec2s, counter-clockwise (Andrew's monotone chain).
+-- The convex hull of vec2s, counter-clockwise (Andrew's monotone chain), with its sides: a, b, c with
+-- a x + b y + c the distance from the side's line, positive inside.
 function analytic.hull(points)
   table.sort(points, function(a, b) return a.x < b.x or (a.x == b.x and a.y < b.y) end)
   local hull = {}
@@ -53,17 +54,21 @@ function analytic.hull(points)
   end
   chain(1, #points, 1)
   chain(#points, 1, -1)
+  hull.sides = {}
+  for i, p in ipairs(hull) do
+    local q = hull[i % #hull + 1]
+    local inward = vec2(p.y - q.y, q.x - p.x):normalize()
+    hull.sides[i] = { inward.x, inward.y, -inward:dot(p) }
+  end
   return hull
 end
 
--- How deep a point is in a convex polygon: the least distance from its sides' lines, negative
--- outside.
+-- How deep a point is in a hull: the least distance from its sides' lines, negative outside.
 function analytic.depth_inside(hull, x, y)
   local least = math.huge
-  for i, a in ipairs(hull) do
-    local b = hull[i % #hull + 1]
-    local dx, dy = b.x - a.x, b.y - a.y
-    least = math.min(least, (dx * (y - a.y) - dy * (x - a.x)) / math.sqrt(dx * dx + dy * dy))
+  for _, side in ipairs(hull.sides) do
+    local distance = side[1] * x + side[2] * y + side[3]
+    if distance < least then least = distance end
   end
   return least
 end

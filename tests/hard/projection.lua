@@ -334,8 +334,8 @@ test("the_light_crossing_a_face_s_plane_changes_the_coverage_without_a_jump", fu
     local on_face = (face[1] + face[2] + face[3]) / 3 + vec3(0, 1, 0):cross(normal):normalize()
                     + (vec3(0, 1, 0) - normal * normal.y) * 3.5
     local before_area, before_count
-    for step = -8, 8 do
-      local light = vec4(on_face + normal * step / 40, 1)
+    for step = -6, 6 do
+      local light = vec4(on_face + normal * step / 30, 1)
       local picture = footprint(caster, shadow.planar(ground, light))
       local hull = analytic.window_hull(viewer, images(caster, ground, light))
       local area, outline = 0, 0
