@@ -94,20 +94,18 @@ void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& opt
   volume.sides = volume.all = mesh.indices.size();
 }
 
-// Every triangle, the side that is turned from the light being the front.
-std::vector<std::uint32_t> unlit_sides(const Volume& volume) {
+// The triangles of which the camera sees the side that is turned from the light, as they are in the
+// mesh: so they have the very depths that the scene has drawn. Both facings are exact.
+std::vector<std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& view) {
   const auto& triangles = volume.source->adjacency.triangles;
-  std::vector<std::int8_t> signs(triangles.size());
-  volume.source->facing.signs(volume.light, 0, signs);
-  const int mirrored = glm::determinant(glm::dmat3(volume.model)) < 0 ? -1 : 1;
+  const glm::dvec4 eye = shadow::light_in_model_space(volume.model, glm::inverse(view)[3]);
+  std::vector<std::int8_t> toward_light(triangles.size()), toward_eye(triangles.size());
+  volume.source->facing.signs(volume.light, 0, toward_light);
+  volume.source->facing.signs(eye, 0, toward_eye);
   std::vector<std::uint32_t> indices;
-  indices.reserve(triangles.size() * 3);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];
-    if (signs[i] == 0) continue;  // the light is in its plane: no side is turned from it
-    const bool turn = signs[i] * mirrored > 0;
-    // Turned by the first two corners, as the volume's caps are.
-    indices.insert(indices.end(), {2 * (turn ? b : a), 2 * (turn ? a : b), 2 * c});
+    if (toward_light[i] * toward_eye[i] < 0) indices.insert(indices.end(), {2 * a, 2 * b, 2 * c});
   }
   return indices;
 }
@@ -169,7 +167,12 @@ int draw_unlit(lua_State* L) {
   VolumeBox& volume = read_box<VolumeBox>(L, 1, "volume:draw_unlit: self");
   if (!volume->unlit_buffers)
     volume->unlit_buffers = over_adjacency(Stage::of(L).graphics, *volume->source);
-  const auto indices = unlit_sides(*volume);
+  glm::dmat4 view(1);
+  if (lua_type(L, 3) == LUA_TTABLE) {
+    if (lua_getfield(L, 3, "view") != LUA_TNIL) view = read<glm::dmat4>(L, -1, "view");
+    lua_pop(L, 1);
+  }
+  const auto indices = unlit_sides(*volume, view);
   volume->unlit_buffers->upload(indices);
   draw_with({L, 2, 3}, volume->model, {}, indices.size(), {}, "sides turned from the light",
             [&] { volume->unlit_buffers->draw(0, indices.size()); });
@@ -280,8 +283,8 @@ constexpr Entry methods[] = {
     {"draw_sides", "v:draw_sides(shader, {view = , projection = })",
      "Draws the sides alone: what z-pass counts.", guarded<draw_sides>},
     {"draw_unlit", "v:draw_unlit(shader, {view = , projection = })",
-     "Draws the caster's own triangles, turned so that the front of each is the side turned from "
-     "the light: what shows its front here is in its own shadow, exactly.",
+     "Draws the caster's own triangles of which the camera sees the side that is turned from the "
+     "light: those are in their own shadow, exactly.",
      guarded<draw_unlit>},
 };
 constexpr std::string_view field_names[] = {"triangles", "side_triangles"};
