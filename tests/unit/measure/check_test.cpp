@@ -1,0 +1,83 @@
+#include "measure/check.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "core/version.h"
+
+namespace shadowlab::measure {
+namespace {
+
+class Check : public testing::Test {
+ protected:
+  CheckResult row(const std::string& recipe, const std::string& scene, int views,
+                  std::vector<std::pair<std::string, std::string>> settings = {}) {
+    CheckOptions options;
+    options.scene = scene;
+    options.views = views;
+    options.settings = std::move(settings);
+    return check(graphics_, home() / "scripts" / (recipe + ".lua"), options);
+  }
+  gl::Graphics graphics_{context::create(), 96, 96};
+};
+
+// The scene's own camera and light and seven random ones: cameras inside volumes and near planes
+// that cut them are among them.
+TEST_F(Check, z_fail_and_auto_are_right_everywhere_beyond_a_pixel_of_an_edge) {
+  for (const char* recipe : {"volumes_zfail", "volumes_auto"}) {
+    for (const char* scene : {"tetra", "table", "room"}) {
+      const CheckResult result = row(recipe, scene, 8);
+      EXPECT_EQ(result.views, 8) << recipe << ' ' << scene;
+      EXPECT_GT(result.pixels, 10000u) << recipe << ' ' << scene;
+      EXPECT_EQ(result.wrong_beyond_edge, 0u)
+          << recipe << ' ' << scene << " view " << result.worst_view;
+    }
+  }
+}
+
+TEST_F(Check, z_pass_is_right_where_it_says_that_it_holds) {
+  for (const char* recipe : {"volumes_zpass", "volumes_two_sided"}) {
+    const CheckResult result = row(recipe, "tetra", 12);
+    EXPECT_GT(result.views, 0) << recipe;
+    EXPECT_GT(result.outside, 0) << recipe
+                                 << ": no view shadows the near plane, so this shows nothing";
+    EXPECT_EQ(result.wrong_beyond_edge, 0u) << recipe << " view " << result.worst_view;
+  }
+}
+
+TEST_F(Check, the_truth_drawn_as_a_recipe_is_the_truth) {
+  const CheckResult result = row("truth", "table", 4);
+  // GL's rounding of vertices to 1/256 of a pixel may give a pixel at an edge to the other side.
+  EXPECT_EQ(result.wrong_beyond_edge, 0u);
+}
+
+TEST_F(Check, a_shadow_in_the_wrong_place_is_seen) {
+  CheckOptions options;
+  options.scene = "tetra";
+  const auto folder = std::filesystem::path(testing::TempDir());
+  const auto file = folder / "no_shadow.lua";
+  {
+    std::ofstream(file) << R"(
+      local recipe = { scene = "tetra", truth = "hard", params = { light = param.point(2, 4, 1) } }
+      function recipe.setup(r) r.phong = shader.load "phong" end
+      function recipe.draw(r)
+        gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+        gl.Enable(gl.DEPTH_TEST)
+        r.scene:draw(r.phong, { view = r.scene.camera:view(),
+                                projection = r.scene.camera:projection(r.width / r.height),
+                                light = r.params.light })
+      end
+      return recipe)";
+  }
+  EXPECT_GT(check(graphics_, file, options).wrong_beyond_edge, 100u);
+}
+
+TEST_F(Check, a_recipe_that_claims_no_truth_is_refused) {
+  CheckOptions options;
+  EXPECT_THROW(check(graphics_, home() / "scripts" / "stencil_basics.lua", options), InputError);
+}
+
+}  // namespace
+}  // namespace shadowlab::measure
