@@ -5,14 +5,15 @@
 --
 -- "z = 0" is P = L = (0, 0, 1, 0): M keeps x and y, and each vertex lands at (x, y, 0). A cube, its
 -- flattened image, a ball at each vertex and at its image, and the line of projection between them;
--- the axes are x red, y green, z blue, the light is yellow. The matrix is printed with --set print=true.
+-- the axes are x red, y green, z blue, the light is yellow. --set print=true prints the matrix.
 --
 -- M is of homogeneous coordinates: its images have a w that is not 1, and only x/w, y/w, z/w are
 -- points. The slides leave the plane's sign to the reader; with P·L < 0 each w is negative, and GL clips
 -- the whole shadow away. shadow.planar chooses the sign.
 local recipe = {
   title   = "Projection onto a plane, in its four forms",
-  lecture = "000_178f3ee06912f876: Projecció respecte l'origen, un punt, una direcció; 004_502e9deeb91da7bb: Projection centrale, z = 0",
+  lecture = "000_178f3ee06912f876: Projecció respecte l'origen, un punt, una direcció; "
+         .. "004_502e9deeb91da7bb: Projection centrale, z = 0",
   scene   = "cube",
   params  = {
     form  = param.choice("light", "origin", "point", "direction", "z = 0"),
@@ -118,7 +119,8 @@ function recipe.draw(r)
                                                 corner & 4 == 0 and low.z or high.z))
       local image = onto_plane:transform_point(v)
       -- From the light; from afar where it has no place.
-      draw_line(r, camera, at or v + light.xyz:normalize() * 1.2, image, 0.012, vec3(0.95, 0.66, 0.10))
+      local from = at or v + light.xyz:normalize() * 1.2
+      draw_line(r, camera, from, image, 0.012, vec3(0.95, 0.66, 0.10))
       draw_ball(r, camera, v, 0.035, vec3(0.55, 0.25, 0.05))
       draw_ball(r, camera, image, 0.035, vec3(0.76, 0.10, 0.36))
     end

@@ -7,7 +7,8 @@ layout(location = 1) in vec3 normal;
 uniform mat4 model_view;
 uniform mat4 model_view_projection;
 uniform mat3 normal_matrix;
-uniform vec4 above = vec4(0.0, 0.0, 0.0, 1.0);  // the plane in the caster's own space, positive toward the light
+// The plane in the caster's own space, positive toward the light; unset, all is above it.
+uniform vec4 above = vec4(0.0, 0.0, 0.0, 1.0);
 out vec3 eye_position;
 out vec3 eye_normal;
 invariant gl_Position;

@@ -3,7 +3,8 @@
 // it, though the matrix maps it there too: with CLIP_DISTANCE0 enabled it is cut off.
 layout(location = 0) in vec3 position;
 uniform mat4 model_view_projection;
-uniform vec4 above = vec4(0.0, 0.0, 0.0, 1.0);  // the plane in the caster's own space, positive toward the light
+// The plane in the caster's own space, positive toward the light; unset, all is above it.
+uniform vec4 above = vec4(0.0, 0.0, 0.0, 1.0);
 invariant gl_Position;
 
 void main() {

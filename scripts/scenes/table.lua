@@ -2,7 +2,8 @@
 -- shadow which is not clipped to it is seen at once.
 return {
   title = "A teapot over a table-top",
-  camera = { eye = vec3(0.35, 3.7, 5.9), target = vec3(-0.1, 0.1, -0.05), fovy = 40, near = 0.5, far = 50 },
+  camera = { eye = vec3(0.35, 3.7, 5.9), target = vec3(-0.1, 0.1, -0.05),
+             fovy = 40, near = 0.5, far = 50 },
   lights = { vec4(2, 4, 1, 1) },
   objects = {
     { name = "table-top", role = "receiver", mesh = mesh.plane(4, 3),

@@ -6,7 +6,8 @@
 --   apex (0, 2.5, 0)                         ->  (-4, -2)
 return {
   title = "A tetrahedron over a plane",
-  camera = { eye = vec3(-0.5, 6.5, 8.5), target = vec3(-1, 0.2, -0.4), fovy = 42, near = 1, far = 50 },
+  camera = { eye = vec3(-0.5, 6.5, 8.5), target = vec3(-1, 0.2, -0.4),
+             fovy = 42, near = 1, far = 50 },
   lights = { vec4(4, 5, 2, 1) },
   objects = {
     { name = "plane", role = "receiver", mesh = mesh.plane(8, 6), model = mat4.translate(-1, 0, 0),
