@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "context/context.h"
 #include "gl/kinds.h"
 #include "gl/recorder.h"
 
@@ -37,6 +38,7 @@ constexpr bool sets_uniform(FunctionId id) {
 
 /// What every function of a table shares.
 struct CallContext {
+  const context::Context* context = nullptr;
   Recorder* recorder = nullptr;
   GLuint main_frame = 0;  ///< the framebuffer object that 0 stands for
   /// How often a recipe set uniforms of the current program by itself: what the core knows of their

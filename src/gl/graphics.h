@@ -20,7 +20,7 @@ namespace shadowlab::gl {
 class Graphics {
   // Declared first, destroyed last: the others delete their objects in it.
   context::Context context_;
-  CallContext calls_;
+  CallContext calls_{&context_};
 
  public:
   Graphics(context::Context context, int width, int height);

@@ -57,6 +57,7 @@ MainFrame::~MainFrame() {
 }
 
 void MainFrame::read(GLenum format, GLenum type, std::size_t pixel_bytes, std::byte* top) const {
+  context_.context->make_current();
   std::array<GLint, 2> before{};
   gl_.GetIntegerv.unrecorded(GL_READ_FRAMEBUFFER_BINDING, std::span(before).first(1));
   gl_.GetIntegerv.unrecorded(GL_PACK_ALIGNMENT, std::span(before).last(1));

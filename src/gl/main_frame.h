@@ -23,7 +23,7 @@ class MainFrame {
   GLuint depth_stencil() const { return depth_stencil_; }  ///< DEPTH24_STENCIL8 texture
 
   // What is in it, rows from the top. Reading goes through a framebuffer of its own and puts back
-  // every binding, so that looking never changes what is drawn.
+  // every binding, so that looking never changes what is drawn; its context becomes current.
   image::Image read_color() const;
   image::FloatImage read_depth() const;  ///< window depth, 0 to 1
   std::vector<std::uint8_t> read_stencil() const;

@@ -1,5 +1,6 @@
 #include "gl/mesh_buffers.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace shadowlab::gl {
@@ -63,6 +64,7 @@ void MeshBuffers::draw() const {
 }
 
 const MeshBuffers& MeshCache::get(const std::shared_ptr<const scene::Mesh>& mesh) {
+  if (entries_.size() >= sweep_at_) sweep();
   Entry& entry = entries_[mesh.get()];
   // A new mesh may live where a dead one did.
   if (!entry.buffers || entry.mesh.lock() != mesh) {
@@ -73,6 +75,7 @@ const MeshBuffers& MeshCache::get(const std::shared_ptr<const scene::Mesh>& mesh
 
 void MeshCache::sweep() {
   std::erase_if(entries_, [](const auto& item) { return item.second.mesh.expired(); });
+  sweep_at_ = std::max<std::size_t>(64, 2 * entries_.size());
 }
 
 }  // namespace shadowlab::gl

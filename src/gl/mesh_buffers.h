@@ -32,8 +32,10 @@ class MeshCache {
  public:
   MeshCache(const Functions& gl, CallContext& context) : gl_(gl), context_(context) {}
   const MeshBuffers& get(const std::shared_ptr<const scene::Mesh>& mesh);
-  /// Frees the buffers of meshes that nobody holds any more.
+  /// Frees the buffers of meshes that nobody holds any more; as many new ones make it do so by
+  /// itself.
   void sweep();
+  std::size_t size() const { return entries_.size(); }
 
  private:
   struct Entry {
@@ -43,6 +45,7 @@ class MeshCache {
   const Functions& gl_;
   CallContext& context_;
   std::map<const scene::Mesh*, Entry> entries_;
+  std::size_t sweep_at_ = 64;
 };
 
 }  // namespace shadowlab::gl

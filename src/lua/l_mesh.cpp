@@ -263,12 +263,19 @@ MeshBox hold(State& state, scene::Mesh mesh) {
   const std::size_t bytes = mesh.positions.size() * sizeof(glm::vec3) * 2 +
                             mesh.uvs.size() * sizeof(glm::vec2) +
                             mesh.indices.size() * sizeof(std::uint32_t);
-  state.reserve(bytes);
-  auto release = [&state, bytes](const scene::Mesh* held) {
-    delete held;
+  auto held = std::make_unique<const scene::Mesh>(std::move(mesh));
+  try {
+    state.reserve(bytes);
+  } catch (const InputError&) {
+    // Lua does not see how large its garbage is.
+    lua_gc(state.raw(), LUA_GCCOLLECT);
+    state.reserve(bytes);
+  }
+  const auto release = [&state, bytes](const scene::Mesh* dead) {
+    delete dead;
     state.release(bytes);
   };
-  return {new scene::Mesh(std::move(mesh)), release};
+  return {held.release(), release};
 }
 
 std::span<const Entry> mesh_functions() { return functions; }

@@ -99,7 +99,7 @@ std::vector<double> parsed(const std::string& text) {
     numbers.push_back(value);
     at = after;
     while (at < end && *at == ' ') ++at;
-    if (at < end && *at++ != ',') return {};
+    if (at < end && (*at++ != ',' || at == end)) return {};
   }
   return numbers;
 }

@@ -247,6 +247,8 @@ void Recipe::draw(double time) {
     graphics_.clear_buffers();
   }
   passes_.clear();
+  if (gl::Recorder* recorder = graphics_.recorder())
+    recorder->end_pass();  // of a frame that failed
   state_.restart_budget();
   inside_lua([&](lua_State* L) {
     push_function("draw");

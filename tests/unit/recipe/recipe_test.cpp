@@ -1,0 +1,338 @@
+// Recipes: what is wrong with one is said in a sentence; frames and recipes leave each other alone.
+#include "recipe_fixture.h"
+
+namespace shadowlab::recipe {
+namespace {
+
+using RecipeErrors = RecipeTest;
+using RecipeParameters = RecipeTest;
+using RecipeFrames = RecipeTest;
+
+// ---- errors
+
+TEST_F(RecipeErrors, name_file_line_and_pass) {
+  EXPECT_EQ(error("local recipe = {}\nfunction recipe.draw(r)\n  pass('1. all of it', function()\n"
+                  "    gl.Enable(gl.DEBTH_TEST)\n  end)\nend\nreturn recipe"),
+            "F:4: in pass \"1. all of it\": gl.DEBTH_TEST does not exist; did you mean "
+            "gl.DEPTH_TEST?");
+  EXPECT_EQ(error(drawing("\n\n error 'mine'")), "F:4: mine");
+  EXPECT_EQ(error("local recipe = {\n  draw = 1,,\n}"), "F:2: unexpected symbol near ','");
+  EXPECT_EQ(error("\nerror('at once')"), "F:2: at once");
+  EXPECT_EQ(error("return { setup = function()\n local x = nil + 1 end, draw = print }"),
+            "F:2: attempt to perform arithmetic on a nil value");
+  // The pass of a frame that failed is not named in the next.
+  const RecipeFile file(
+      "local n = 0 " +
+      drawing("n = n + 1 if n == 1 then pass('first', function() error 'x' end) end "
+              "error 'y'"));
+  Recipe recipe(graphics(), file.path());
+  EXPECT_THROW(recipe.draw(), InputError);
+  try {
+    recipe.draw();
+    FAIL();
+  } catch (const InputError& problem) {
+    EXPECT_EQ(std::string(problem.what()), file.path().string() + ":2: y");
+  }
+}
+
+TEST_F(RecipeErrors, say_what_a_recipe_is) {
+  EXPECT_EQ(error("return 1"),
+            "F: a recipe returns a table with a function draw; this file returns a number");
+  EXPECT_EQ(error(""), "F: a recipe returns a table with a function draw; this file returns nil");
+  EXPECT_EQ(error("return {}"),
+            "F: the recipe has no function draw; write function recipe.draw(r) … end");
+  EXPECT_EQ(error("return { draw = 1 }"),
+            "F: the recipe has no function draw; write function recipe.draw(r) … end");
+}
+
+TEST_F(RecipeErrors, of_a_missing_scene_name_the_near_one) {
+  EXPECT_EQ(error(drawing("", "scene = 'tabel'")), "there is no scene tabel; did you mean table?");
+  Options options;
+  options.scene = "nowhere";
+  EXPECT_EQ(error(drawing(""), options), "there is no scene nowhere");
+}
+
+TEST_F(RecipeErrors, in_the_metamethods_of_its_table_are_errors_of_the_recipe) {
+  EXPECT_EQ(error("return setmetatable({}, { __index = function() error 'no field' end })"),
+            "F:1: no field");
+  const std::string lazy =
+      "return setmetatable({}, { __index = function(_, key) if key == 'draw' then return "
+      "function() "
+      "end end end })";
+  EXPECT_EQ(error(lazy), "no error");
+}
+
+TEST_F(RecipeErrors, of_an_overwritten_module_do_not_reach_the_core) {
+  EXPECT_EQ(error("scene = nil gl = nil " + drawing("", "scene = 'table'")), "no error");
+  EXPECT_EQ(error("scene = setmetatable({}, { __index = function() while true do end end }) " +
+                  drawing("", "scene = 'table'")),
+            "no error");
+}
+
+TEST_F(RecipeErrors, of_an_endless_recipe_come_from_its_budget) {
+  Options options;
+  options.limits.instructions = 200'000;
+  const char* const endless = "while true do end";
+  for (const std::string& text :
+       {std::string(endless), drawing(endless),
+        std::string("return { draw = print, setup = "
+                    "function() while true do end end }"),
+        std::string("return setmetatable({}, { __index = function() while true do end end })"),
+        drawing("pass('p', function() while true do end end)"),
+        drawing("while true do pcall(error) end"), drawing("while true do gl.Finish() end")}) {
+    EXPECT_NE(error(text, options).find("in one go; does a loop never end?"), std::string::npos)
+        << text << ": " << error(text, options);
+  }
+  EXPECT_EQ(error(drawing(""), options), "no error");
+}
+
+TEST_F(RecipeErrors, of_too_little_memory_are_sentences_wherever_they_are) {
+  Options options;
+  for (std::size_t memory = 200'000; memory < 2'000'000; memory += 40'000) {
+    options.limits.memory = memory;
+    const std::string sentence = error(stencil_blend_accum, options);
+    EXPECT_TRUE(sentence == "no error" || sentence.find("memory") != std::string::npos) << sentence;
+  }
+}
+
+TEST_F(RecipeErrors, of_too_many_passes_end_the_frame) {
+  EXPECT_EQ(error(drawing("for i = 1, 20000 do pass('p', function() end) end")),
+            "F:2: a frame has at most 10000 passes");
+  EXPECT_EQ(error(drawing("pass('a', function() pass('b', print) end)")),
+            "F:2: in pass \"a\": pass \"b\" begins inside pass \"a\"; passes follow one another");
+}
+
+TEST_F(RecipeErrors, in_making_it_leave_nothing_behind) {
+  std::array<GLuint, 1> last{};
+  graphics().gl.GenBuffers(1, last);
+  graphics().gl.DeleteBuffers(1, last);
+  EXPECT_EQ(
+      error("for i = 1, 7 do gl.BindBuffer(gl.ARRAY_BUFFER, gl.GenBuffers(1)) end error 'no'"),
+      "F:1: no");
+  const auto is_buffer =
+      reinterpret_cast<GLboolean (*)(GLuint)>(graphics().context().function("glIsBuffer"));
+  for (GLuint name = last[0]; name < last[0] + 20; ++name) EXPECT_FALSE(is_buffer(name)) << name;
+}
+
+// ---- parameters
+
+constexpr const char* parameterised = R"lua(
+local recipe = { params = { light = param.point(1, 2, 3), sun = param.direction(0, 1, 0),
+  amount = param.number(0.5, 0, 1), count = param.integer(3, 1, 9), kind = param.choice("silhouette", "all"),
+  on = param.toggle(true), tint = param.color(1, 0, 0) } }
+function recipe.draw(r)
+  local p = r.params
+  print(p.light, p.sun, p.amount, p.count, p.kind, p.on, p.tint)
+end
+return recipe
+)lua";
+
+TEST_F(RecipeParameters, reach_the_recipe_as_values_of_their_kind) {
+  const RecipeFile file(parameterised);
+  std::string printed;
+  Options options;
+  options.print = [&](std::string_view line) { printed += line; };
+  Recipe recipe(graphics(), file.path(), options);
+  recipe.draw();
+  EXPECT_EQ(printed,
+            "vec4(1, 2, 3, 1)\tvec4(0, 1, 0, 0)\t0.5\t3\tsilhouette\ttrue\tvec3(1, 0, 0)\n");
+  printed.clear();
+  for (const auto& [name, value] :
+       {std::pair("light", " 4, 5,6 "), std::pair("sun", "1,0,0"), std::pair("amount", "1e-1"),
+        std::pair("count", "9"), std::pair("kind", "all"), std::pair("on", "false"),
+        std::pair("tint", "0,0,1")}) {
+    recipe.set(name, value);
+  }
+  recipe.draw();
+  EXPECT_EQ(printed, "vec4(4, 5, 6, 1)\tvec4(1, 0, 0, 0)\t0.1\t9\tall\tfalse\tvec3(0, 0, 1)\n");
+}
+
+TEST_F(RecipeParameters, refuse_values_of_another_kind_with_what_they_take) {
+  const RecipeFile file(parameterised);
+  Recipe recipe(graphics(), file.path());
+  const auto refusal = [&](const char* name, const char* value) {
+    try {
+      recipe.set(name, value);
+    } catch (const InputError& problem) {
+      return std::string(problem.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(refusal("light", "1,2"),
+            "parameter light takes three numbers, as in --set light=2,4,1; \"1,2\" given");
+  EXPECT_EQ(refusal("light", "1,2,nan").find("parameter light takes"), 0u);
+  EXPECT_EQ(refusal("light", "1,2,3,").find("parameter light takes"), 0u);
+  EXPECT_EQ(refusal("sun", "0,0,0"),
+            "parameter sun takes a direction that is not 0,0,0; \"0,0,0\" given");
+  EXPECT_EQ(refusal("amount", "2"), "parameter amount takes a number from 0 to 1; \"2\" given");
+  EXPECT_EQ(refusal("amount", "x"), "parameter amount takes a number from 0 to 1; \"x\" given");
+  EXPECT_EQ(refusal("count", "1.5"), "parameter count takes an integer from 1 to 9; \"1.5\" given");
+  EXPECT_EQ(refusal("kind", "silhuette"),
+            "parameter kind is one of silhouette, all; \"silhuette\" given; did you mean "
+            "silhouette?");
+  EXPECT_EQ(refusal("on", "2"), "parameter on takes true or false; \"2\" given");
+  EXPECT_EQ(refusal("ligth", "1,2,3"),
+            file.path().string() + " has no parameter ligth; did you mean light?");
+}
+
+TEST_F(RecipeParameters, of_the_wrong_kind_in_the_table_are_named) {
+  EXPECT_EQ(error(drawing("", "params = { light = 1 }")),
+            "F: params.light must be made by param.point, param.number and their like; it is a "
+            "number");
+  EXPECT_EQ(error(drawing("", "params = 7")), "F: params must be a table; it is a number");
+}
+
+// ---- frames
+
+constexpr const char* wild = R"lua(
+local recipe = {}
+function recipe.draw(r)
+  gl.ClearColor(1, 0, 1, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.ClearDepth(0.25)
+  gl.ClearStencil(7)
+  gl.ColorMask(false, true, false, true)
+  gl.DepthMask(false)
+  gl.StencilMask(0)
+  gl.Enable(gl.SCISSOR_TEST)
+  gl.Scissor(1, 1, 2, 2)
+  gl.Viewport(3, 3, 4, 4)
+  gl.Enable(gl.CULL_FACE)
+  gl.CullFace(gl.FRONT_AND_BACK)
+  gl.Enable(gl.RASTERIZER_DISCARD)
+  gl.PolygonMode(gl.FRONT_AND_BACK, gl.POINT)
+  gl.DepthFunc(gl.NEVER)
+  gl.DepthRange(1, 0)
+  gl.Enable(gl.BLEND)
+  gl.BlendFunc(gl.ZERO, gl.ZERO)
+  gl.Enable(gl.COLOR_LOGIC_OP)
+  gl.LogicOp(gl.CLEAR)
+  gl.ClipControl(gl.UPPER_LEFT, gl.ZERO_TO_ONE)
+  gl.BindFramebuffer(gl.FRAMEBUFFER, gl.GenFramebuffers(1))
+  gl.DrawBuffers(0, {})
+  gl.BindVertexArray(gl.GenVertexArrays(1))
+  gl.BeginQuery(gl.SAMPLES_PASSED, gl.GenQueries(1))
+  gl.PixelStorei(gl.PACK_ALIGNMENT, 8)
+end
+return recipe
+)lua";
+
+TEST_F(RecipeFrames, begin_without_what_another_recipe_left) {
+  const image::Image alone = picture(stencil_blend_accum);
+  picture(wild);
+  EXPECT_EQ(picture(stencil_blend_accum), alone);
+}
+
+TEST_F(RecipeFrames, begin_without_the_picture_of_another_recipe) {
+  picture(drawing("gl.ClearColor(1, 1, 1, 1) gl.Clear(gl.COLOR_BUFFER_BIT) gl.Accum(gl.LOAD, 1)"));
+  const image::Image nothing(frame_size, frame_size, {0, 0, 0, 0});
+  EXPECT_EQ(picture(drawing("")), nothing);
+  EXPECT_EQ(picture(drawing("gl.Accum(gl.RETURN, 1)")), nothing);
+}
+
+TEST_F(RecipeFrames, of_one_recipe_are_all_the_same) {
+  const RecipeFile file(stencil_blend_accum);
+  Recipe recipe(graphics(), file.path());
+  recipe.draw();
+  const image::Image first = graphics().frame.read_color();
+  for (int i = 0; i < 3; ++i) {
+    recipe.draw();
+    EXPECT_EQ(graphics().frame.read_color(), first);
+  }
+}
+
+TEST_F(RecipeFrames, of_two_recipes_in_one_context_do_not_mix) {
+  const RecipeFile file(stencil_blend_accum), other_file(wild);
+  const image::Image alone = picture(stencil_blend_accum);
+  Recipe recipe(graphics(), file.path());
+  recipe.draw();
+  {
+    Recipe other(graphics(), other_file.path());
+    for (int i = 0; i < 3; ++i) {
+      other.draw();
+      recipe.draw();
+      EXPECT_EQ(graphics().frame.read_color(), alone);
+    }
+  }
+  recipe.draw();
+  EXPECT_EQ(graphics().frame.read_color(), alone) << "after the other recipe's end";
+}
+
+TEST_F(RecipeFrames, are_the_same_with_captures_a_trace_and_timings) {
+  const image::Image alone = picture(stencil_blend_accum);
+  const RecipeFile file(stencil_blend_accum);
+  Options options;
+  options.time_passes = true;
+  Recipe recipe(graphics(), file.path(), options);
+  gl::Recorder recorder;
+  graphics().trace_into(&recorder);
+  std::vector<std::size_t> captured;
+  recipe.on_pass_end([&](std::size_t pass) {
+    captured.push_back(pass);
+    graphics().frame.read_color();
+    graphics().frame.read_depth();
+    graphics().frame.read_stencil();
+  });
+  recipe.draw();
+  graphics().trace_into(nullptr);
+  EXPECT_EQ(graphics().frame.read_color(), alone);
+  EXPECT_EQ(captured, (std::vector<std::size_t>{0, 1, 2}));
+  ASSERT_EQ(recipe.passes().size(), 3u);
+  for (const PassTime& pass : recipe.passes()) EXPECT_GT(pass.milliseconds, 0) << pass.name;
+  EXPECT_EQ(recorder.passes().size(), 3u);
+  EXPECT_GT(recorder.size(), 30u);
+}
+
+TEST_F(RecipeFrames, have_no_part_in_setup) {
+  const RecipeFile file(
+      "local recipe = {}\nfunction recipe.setup() pass('setup', function() gl.Finish() end) end\n"
+      "function recipe.draw() pass('draw', function() gl.Flush() end) end return recipe");
+  Recipe recipe(graphics(), file.path());
+  gl::Recorder recorder;
+  graphics().trace_into(&recorder);
+  std::size_t ended = 0;
+  recipe.on_pass_end([&](std::size_t) { ++ended; });
+  recipe.draw();
+  graphics().trace_into(nullptr);
+  EXPECT_EQ(ended, 1u);
+  ASSERT_EQ(recipe.passes().size(), 1u);
+  EXPECT_EQ(recipe.passes()[0].name, "draw");
+  ASSERT_EQ(recorder.size(), 1u);
+  EXPECT_EQ(recorder.call(0).as_c(), "glFlush();");
+}
+
+TEST_F(RecipeFrames, keep_the_trace_when_setup_fails) {
+  const RecipeFile file("return { setup = function() error 'no' end, draw = print }");
+  Recipe recipe(graphics(), file.path());
+  gl::Recorder recorder;
+  graphics().trace_into(&recorder);
+  EXPECT_THROW(recipe.draw(), InputError);
+  EXPECT_EQ(graphics().recorder(), &recorder);
+  graphics().trace_into(nullptr);
+}
+
+TEST_F(RecipeFrames, free_the_buffers_of_meshes_that_are_gone) {
+  const RecipeFile file(
+      drawing("local flat = shader.load 'flat' for i = 1, 50 do mesh.sphere(1, 64, 32):draw(flat, "
+              "{}) end"));
+  Recipe recipe(graphics(), file.path());
+  for (int i = 0; i < 5; ++i) {
+    recipe.draw();
+    EXPECT_LE(graphics().meshes.size(), 50u);
+    lua_gc(recipe.state().raw(), LUA_GCCOLLECT);
+  }
+}
+
+TEST_F(RecipeFrames, collect_meshes_that_are_garbage_before_they_run_out_of_memory) {
+  // A sphere of 2145 vertices and 4096 triangles is 115 kB; 500 of them exceed 16 MiB.
+  Options options;
+  options.limits.memory = std::size_t{16} << 20;
+  EXPECT_EQ(error(drawing("for i = 1, 500 do mesh.sphere(1, 64, 32) end"), options), "no error");
+  EXPECT_NE(
+      error(drawing("local t = {} for i = 1, 500 do t[i] = mesh.sphere(1, 64, 32) end"), options)
+          .find("needs more than 16 MiB of memory"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace shadowlab::recipe
