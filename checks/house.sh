@@ -41,6 +41,6 @@ done < <(grep -rnE '^#include "[a-z]+/' src tests/unit)
 
 while IFS= read -r script; do
   bash -n "$script" || fail "$script: bash cannot read it"
-done < <(ls ./*.sh checks/*.sh .ci/run)
+done < <(find ./*.sh checks tests .ci/run -name '*.sh' -o -name run)
 
 [ "$failures" -eq 0 ]
