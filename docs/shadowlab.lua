@@ -2854,7 +2854,7 @@ function volume_value:draw(shader, values) end
 ---@return any
 function volume_value:draw_sides(shader, values) end
 
----Draws the caster's own triangles, turned so that the front of each is the side turned from the light: what shows its front here is in its own shadow, exactly.
+---Draws the caster's own triangles of which the camera sees the side that is turned from the light: those are in their own shadow, exactly.
 ---
 ---`v:draw_unlit(shader, {view = , projection = })`
 ---@return any
