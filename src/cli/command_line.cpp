@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const CLI::App& app) {
 
 // CLI11's sentences where a user would not understand them.
 std::string in_words(const CLI::ParseError& problem) {
-  const std::string text = problem.what();
+  std::string text = problem.what();
   constexpr std::string_view converting = "Could not convert: ";  // "--frames = abc"
   if (text.starts_with(converting))
     return text.substr(converting.size()) + " is no number that it takes";

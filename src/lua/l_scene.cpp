@@ -20,7 +20,7 @@ T field(lua_State* L, int table, const char* name, const std::string& what, cons
 
 std::string text_field(lua_State* L, int table, const char* name) {
   lua_getfield(L, table, name);
-  const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
   return text;
 }

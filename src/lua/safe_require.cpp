@@ -47,7 +47,7 @@ fs::path find_module(const State& state, const std::string& name) {
   relative += ".lua";
   std::string looked;
   for (const fs::path& folder : state.search_folders()) {
-    const fs::path file = folder / relative;
+    fs::path file = folder / relative;
     std::error_code failure;
     if (fs::is_regular_file(file, failure)) {
       if (is_inside(file, folder)) return file;

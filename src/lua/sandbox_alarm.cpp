@@ -1,7 +1,7 @@
 #include "lua/sandbox_alarm.h"
 
 #include <pthread.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigevent is POSIX
 #include <unistd.h>
 
 #include <cerrno>

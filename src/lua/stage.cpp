@@ -47,7 +47,7 @@ std::filesystem::path find_file(const Stage& stage, const std::string& name) {
   }
   for (const auto& folder : stage.folders) {
     std::error_code error;
-    const auto file = folder / path;
+    auto file = folder / path;
     if (!std::filesystem::is_regular_file(file, error)) continue;
     if (!inside(file, folder)) {
       throw InputError(fmt::format("\"{}\" leads out of the recipe's folder", name));

@@ -124,7 +124,7 @@ bool collinear(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     ExactSum sum;
     const auto add = [&sum](int sign, float x, float y) {
       const Parts m = split(x), n = split(y);
-      sum.add(sign * m.mantissa * n.mantissa, m.exponent + n.exponent);
+      sum.add(static_cast<__int128>(sign * m.mantissa) * n.mantissa, m.exponent + n.exponent);
     };
     for (const auto& [x, y] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
       add(+1, x[j], y[k]);

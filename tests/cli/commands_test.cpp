@@ -203,11 +203,23 @@ TEST_F(Cli, gallery_shows_every_recipe_and_survives_a_failing_one) {
   EXPECT_TRUE(has("the gallery/a b#/01_i.color.png"));
 }
 
-TEST_F(Cli, doctor_lists_each_context_and_ends_with_3_where_none_works) {
+TEST_F(Cli, doctor_lists_each_context_and_what_else_matters) {
   const Ended ended = run("doctor", "env -u DISPLAY -u WAYLAND_DISPLAY");
   EXPECT_EQ(ended.code, 0) << ended.err;
   for (const char* name : {"OSMesa", "EGL", "GLFW", "shader cache", "threads", "scripts"})
     EXPECT_THAT(ended.out, HasSubstr(name));
+}
+
+TEST_F(Cli, where_no_context_works_doctor_and_run_end_with_3) {
+  fs::create_directory(folder / "broken");
+  for (const char* library : {"libOSMesa.so.8", "libEGL.so.1", "libglfw.so.3"})
+    write(std::string("broken/") + library, "");  // an empty file does not load
+  const Ended ended = run("doctor", "env LD_LIBRARY_PATH=broken");
+  expect_sentence(ended, 3, "apt-get install libosmesa6");
+  EXPECT_THAT(ended.out, HasSubstr("OSMesa: libOSMesa.so.8 does not load"));
+  write_recipe("fill.lua", "");
+  expect_sentence(run("run fill.lua", "env LD_LIBRARY_PATH=broken"), 3,
+                  "No OpenGL context can be made here");
 }
 
 }  // namespace
