@@ -37,8 +37,8 @@ std::vector<Triangle> triangles_of(const scene::Scene& scene, glm::dvec3 center,
       return glm::dvec3(model * glm::dvec4(mesh.positions[mesh.indices[corner]], 1));
     };
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-      triangles.push_back({vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2), o,
-                           static_cast<std::uint32_t>(t)});
+      triangles.push_back(
+          {vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2), o, static_cast<std::uint32_t>(t)});
     }
   }
   return triangles;
