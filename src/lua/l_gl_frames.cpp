@@ -195,6 +195,7 @@ void stores_named(const Call& call, GLuint renderbuffer, GLenum, GLsizei width, 
   count_bytes(call, renderbuffer, width, height, 1);
 }
 
+using bind::plain;
 using gl::Functions;
 constexpr OwnFunction functions[] = {
     {FunctionId::Clear, guarded<clear>, nullptr},

@@ -205,6 +205,7 @@ void copies_image(const Call& call, GLenum target, GLint level, GLenum, GLint, G
   count_bytes(call, bound_texture(call, target), level, {width, height}, images_of(target));
 }
 
+using bind::plain;
 using gl::Functions;
 constexpr OwnFunction functions[] = {
     {FunctionId::TexImage2D, guarded<tex_image_2d>,

@@ -123,6 +123,7 @@ void draws_elements(const Call& call, GLenum, GLsizei count, GLenum type, GLsize
   vertices(call).check_elements(count, type, offset, restart);
 }
 
+using bind::plain;
 using gl::Functions;
 constexpr OwnFunction functions[] = {
     {FunctionId::BindBuffer, guarded<plain<&Functions::BindBuffer, binds_buffer>>, nullptr},
