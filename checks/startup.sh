@@ -3,50 +3,65 @@
 #
 #   checks/startup.sh [SHADOWLAB] [RUNS]
 #
-# Medians of warm and cold starts (an empty Mesa shader cache each time), the peak of resident
-# memory, and where a warm start's time goes: what the process has done at the calls that strace
-# sees, where it is installed. On a busy machine look at the least as well: the median waits too.
+# Elapsed time and processor time (of all threads) of warm starts and of starts with an empty Mesa
+# shader cache, the peak of resident memory, and where a warm start's time goes: told from outside,
+# by what smaller jobs cost. Medians; on a busy machine the processor time is what to read.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 shadowlab=${1:-build/release/bin/shadowlab}
 runs=${2:-21}
+recipe=scripts/projected_stencil.lua
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export MESA_SHADER_CACHE_DIR=$work/cache
+echo 'return { draw = function() end }' >"$work/nothing.lua"
 
-draw() { "$shadowlab" run scripts/projected_stencil.lua --size 512x512 -o "$work/out.png"; }
-
-# One run's milliseconds.
-milliseconds() {
-  local begin=$EPOCHREALTIME
-  draw
-  local end=$EPOCHREALTIME
-  echo $(((${end/[.,]/} - ${begin/[.,]/}) / 1000))
+# once WORDS: milliseconds elapsed and of processors for one run of shadowlab.
+once() {
+  local TIMEFORMAT='%R %U %S'
+  { time "$shadowlab" "$@" >"$work/printed" 2>&1; } 2>&1 |
+    awk '{ printf "%.0f %.0f\n", $1 * 1000, ($2 + $3) * 1000 }'
+}
+# medians WORDS: of `runs` runs.
+medians() {
+  for _ in $(seq "$runs"); do once "$@"; done >"$work/times"
+  local middle=$(((runs + 1) / 2))
+  echo "$(cut -d' ' -f1 "$work/times" | sort -n | sed -n ${middle}p)" \
+    "$(cut -d' ' -f2 "$work/times" | sort -n | sed -n ${middle}p)"
 }
 
-# median and least of the numbers on stdin
-summary() { sort -n | awk '{ a[NR] = $1 } END { printf "%5d ms, least %d ms", a[int((NR + 1) / 2)], a[1] }'; }
+"$shadowlab" run $recipe -o "$work/out.png" # files are in memory, shaders in the cache
+read -r main_elapsed main < <(medians --version)
+read -r context_elapsed context < <(medians run "$work/nothing.lua" --size 1x1 -o "$work/out.png")
+read -r small_elapsed small < <(medians run $recipe --size 16x16 -o "$work/out.png")
+read -r warm_elapsed warm < <(medians run $recipe -o "$work/out.png")
 
-draw # the cache is warm, and the files are in memory
-warm=$(for _ in $(seq "$runs"); do milliseconds; done | summary)
-cold=$(for _ in $(seq $(((runs + 1) / 2))); do
+for _ in $(seq "$runs"); do
   rm -rf "$MESA_SHADER_CACHE_DIR"
-  milliseconds
-done | summary)
+  once run $recipe -o "$work/out.png"
+done >"$work/times"
+middle=$(((runs + 1) / 2))
+cold_elapsed=$(cut -d' ' -f1 "$work/times" | sort -n | sed -n ${middle}p)
+cold=$(cut -d' ' -f2 "$work/times" | sort -n | sed -n ${middle}p)
 
-# The kernel's own count, from the parent: VmHWM of a process that has ended is in its rusage only.
-peak() {
-  draw &
-  local process=$! most=0 now
-  while now=$(awk '/VmHWM/ { print $2 }' "/proc/$process/status" 2>/dev/null) && [ -n "$now" ]; do
-    most=$now
+# VmHWM is the kernel's own peak, while the process lives: the last reading is the one before its end.
+peak=0
+for _ in 1 2 3; do
+  "$shadowlab" run $recipe -o "$work/out.png" &
+  process=$!
+  while read -r _ kilobytes _ < <(grep VmHWM "/proc/$process/status" 2>/dev/null); do
+    [ "$kilobytes" -le "$peak" ] || peak=$kilobytes
   done
   wait "$process"
-  echo $((most / 1024))
-}
-memory=$(for _ in 1 2 3; do peak; done | sort -n | tail -1)
+done
 
-printf 'warm shader cache  %s (target 60)\n' "$warm"
-printf 'empty shader cache %s (target 200)\n' "$cold"
-printf 'peak memory        %5d MB (target 150)\n' "$memory"
+printf '%-34s %10s %10s\n' 'ms, medians' elapsed processor
+printf '%-34s %10s %10s   target 60\n' 'warm shader cache' "$warm_elapsed" "$warm"
+printf '%-34s %10s %10s   target 200\n' 'empty shader cache' "$cold_elapsed" "$cold"
+printf 'of a warm start\n'
+printf '%-34s %10s %10s\n' '  start to main' "$main_elapsed" "$main" \
+  '  driver, context, Lua' $((context_elapsed - main_elapsed)) $((context - main)) \
+  '  scene, shaders, passes at 16x16' $((small_elapsed - context_elapsed)) $((small - context)) \
+  '  512x512 pixels and their PNG' $((warm_elapsed - small_elapsed)) $((warm - small))
+printf '%-34s %7d MB              target 150\n' 'peak memory' $((peak / 1024))
