@@ -12,45 +12,6 @@
 namespace shadowlab::gl {
 namespace {
 
-struct TypeShape {
-  GLenum type;
-  std::size_t components;
-  bool floating;
-};
-
-TypeShape shape_of(GLenum type) {
-  static constexpr TypeShape shapes[] = {{GL_FLOAT, 1, true},
-                                         {GL_FLOAT_VEC2, 2, true},
-                                         {GL_FLOAT_VEC3, 3, true},
-                                         {GL_FLOAT_VEC4, 4, true},
-                                         {GL_FLOAT_MAT2, 4, true},
-                                         {GL_FLOAT_MAT3, 9, true},
-                                         {GL_FLOAT_MAT4, 16, true},
-                                         {GL_INT, 1, false},
-                                         {GL_INT_VEC2, 2, false},
-                                         {GL_INT_VEC3, 3, false},
-                                         {GL_INT_VEC4, 4, false},
-                                         {GL_BOOL, 1, false},
-                                         {GL_BOOL_VEC2, 2, false},
-                                         {GL_BOOL_VEC3, 3, false},
-                                         {GL_BOOL_VEC4, 4, false},
-                                         {GL_UNSIGNED_INT, 1, false},
-                                         {GL_UNSIGNED_INT_VEC2, 2, false},
-                                         {GL_UNSIGNED_INT_VEC3, 3, false},
-                                         {GL_UNSIGNED_INT_VEC4, 4, false}};
-  for (const TypeShape& shape : shapes) {
-    if (shape.type == type) return shape;
-  }
-  return {type, 1, false};  // samplers: the number of a texture unit
-}
-
-// Doubles and matrices that are not square (OpenGL 4.5, table 7.3).
-bool unsupported(GLenum type) {
-  return type == GL_DOUBLE || (type >= GL_FLOAT_MAT2x3 && type <= GL_FLOAT_MAT4x3) ||
-         (type >= GL_DOUBLE_MAT2 && type <= GL_DOUBLE_MAT4x3) ||
-         (type >= GL_DOUBLE_VEC2 && type <= GL_DOUBLE_VEC4);
-}
-
 std::string log_of(const Functions& gl, GLuint name, bool is_program) {
   std::vector<GLchar> log(16384);
   GLsizei length = 0;
@@ -91,12 +52,6 @@ std::unique_ptr<Guard> compile(const Functions& gl, GLenum stage, const StageSou
 }
 
 }  // namespace
-
-std::size_t Uniform::words() const {
-  return shape_of(type).components * static_cast<std::size_t>(count);
-}
-
-bool Uniform::floating() const { return shape_of(type).floating; }
 
 Program::Program(const Functions& gl, const ProgramSource& source) : gl_(gl) {
   const auto vertex = compile(gl, GL_VERTEX_SHADER, source.vertex);
@@ -149,7 +104,7 @@ void Program::reflect() {
     if (uniform.name.starts_with("gl_")) continue;
     uniform.location = gl_.GetUniformLocation.unrecorded(name_, uniform.name.c_str());
     if (uniform.location < 0) continue;  // of a uniform block, whose values are in a buffer
-    if (unsupported(uniform.type)) {
+    if (!uniform.supported()) {
       throw InputError(fmt::format(
           "uniform {} is of doubles or of a matrix that is not square; use float, mat2, mat3, mat4",
           uniform.name));
@@ -186,70 +141,6 @@ bool Program::declares(std::string_view uniform) const {
   return std::find(declared_.begin(), declared_.end(), uniform) != declared_.end();
 }
 
-namespace {
-
-void send(const Functions& gl, const Uniform& uniform, const std::uint32_t* words) {
-  const std::size_t n = uniform.words();
-  const std::span floats(reinterpret_cast<const GLfloat*>(words), n);
-  const std::span ints(reinterpret_cast<const GLint*>(words), n);
-  const std::span<const GLuint> unsigned_ints(words, n);
-  const GLint at = uniform.location;
-  const GLsizei count = uniform.count;
-  switch (uniform.type) {
-    case GL_FLOAT:
-      count == 1 ? gl.Uniform1f(at, floats[0]) : gl.Uniform1fv(at, count, floats);
-      break;
-    case GL_FLOAT_VEC2:
-      gl.Uniform2fv(at, count, floats);
-      break;
-    case GL_FLOAT_VEC3:
-      gl.Uniform3fv(at, count, floats);
-      break;
-    case GL_FLOAT_VEC4:
-      gl.Uniform4fv(at, count, floats);
-      break;
-    case GL_FLOAT_MAT2:
-      gl.UniformMatrix2fv(at, count, GL_FALSE, floats);
-      break;
-    case GL_FLOAT_MAT3:
-      gl.UniformMatrix3fv(at, count, GL_FALSE, floats);
-      break;
-    case GL_FLOAT_MAT4:
-      gl.UniformMatrix4fv(at, count, GL_FALSE, floats);
-      break;
-    case GL_INT_VEC2:
-    case GL_BOOL_VEC2:
-      gl.Uniform2iv(at, count, ints);
-      break;
-    case GL_INT_VEC3:
-    case GL_BOOL_VEC3:
-      gl.Uniform3iv(at, count, ints);
-      break;
-    case GL_INT_VEC4:
-    case GL_BOOL_VEC4:
-      gl.Uniform4iv(at, count, ints);
-      break;
-    case GL_UNSIGNED_INT:
-      gl.Uniform1uiv(at, count, unsigned_ints);
-      break;
-    case GL_UNSIGNED_INT_VEC2:
-      gl.Uniform2uiv(at, count, unsigned_ints);
-      break;
-    case GL_UNSIGNED_INT_VEC3:
-      gl.Uniform3uiv(at, count, unsigned_ints);
-      break;
-    case GL_UNSIGNED_INT_VEC4:
-      gl.Uniform4uiv(at, count, unsigned_ints);
-      break;
-    default:
-      count == 1 ? gl.Uniform1i(at, ints[0]) : gl.Uniform1iv(at, count, ints);
-      break;
-  }
-  if (gl.Uniform1i.shared->recorder) gl.Uniform1i.shared->recorder->comment(uniform.name);
-}
-
-}  // namespace
-
 void Program::use(const UniformValues& values) {
   gl_.UseProgram(name_);
   const std::uint64_t foreign = gl_.UseProgram.shared->foreign_uniforms;
@@ -258,7 +149,7 @@ void Program::use(const UniformValues& values) {
     const std::uint32_t* words = values.data() + uniform.first;
     const bool same =
         sent_ && std::equal(words, words + uniform.words(), sent_->data() + uniform.first);
-    if (!same) send(gl_, uniform, words);
+    if (!same) uniform.send(gl_, words);
   }
   sent_ = values;
 }

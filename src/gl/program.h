@@ -35,6 +35,9 @@ struct Uniform {
   std::size_t first = 0;  ///< where its words begin in a program's values
   std::size_t words() const;
   bool floating() const;
+  bool supported() const;
+  /// To the program in use.
+  void send(const Functions& gl, const std::uint32_t* values) const;
 };
 
 /// The words of all uniforms of one program, one after the other.

@@ -1,8 +1,11 @@
 // Drawing: matrices multiplied in double, handed to the shader as floats.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 
 #include "lua/boxes.h"
 
@@ -127,9 +130,12 @@ void draw_with(const DrawCall& call, const glm::dmat4& own_model, const scene::M
   if (shader.program().find("normal_matrix")) {
     // A shadow matrix flattens: it has no inverse, and its shader no use for normals.
     const glm::dmat3 linear(model_view);
-    const glm::dmat3 normal =
-        glm::determinant(linear) != 0 ? glm::inverseTranspose(linear) : linear;
-    set_derived(shader, "normal_matrix", glm::value_ptr(normal), 9);
+    const glm::dmat3 inverse = glm::inverseTranspose(linear);
+    const auto numbers = std::span(glm::value_ptr(inverse), 9);
+    const bool usable = std::all_of(numbers.begin(), numbers.end(), [](double number) {
+      return std::abs(number) <= std::numeric_limits<float>::max();
+    });
+    set_derived(shader, "normal_matrix", glm::value_ptr(usable ? inverse : linear), 9);
   }
   if (light) {
     const glm::dvec4 in_eye_space = view * *light;

@@ -47,14 +47,14 @@ int load(lua_State* L) {
   return 1;
 }
 
-std::optional<gl::StageSource> stage_text(lua_State* L, const char* key, const std::string& where) {
+std::optional<gl::StageSource> stage_text(lua_State* L, const char* key) {
   lua_getfield(L, 1, key);
   std::optional<gl::StageSource> source;
   if (lua_type(L, -1) == LUA_TSTRING) {
     std::size_t length = 0;
     const char* text = lua_tolstring(L, -1, &length);
     if (length > most_source) throw InputError("a shader's text is at most 1 MiB");
-    source = gl::StageSource{fmt::format("{} shader of {}", key, where), std::string(text, length)};
+    source = gl::StageSource{fmt::format("{} shader", key), std::string(text, length)};
   } else if (!lua_isnil(L, -1)) {
     throw InputError(
         fmt::format("shader.compile: {} must be a text; it is {}", key, describe(L, -1)));
@@ -69,15 +69,11 @@ int compile(lua_State* L) {
     throw InputError("shader.compile takes a table { vertex = text, fragment = text }; it is " +
                      describe(L, 1));
   }
-  luaL_where(L, 1);
-  std::string where = lua_tostring(L, -1);
-  lua_pop(L, 1);
-  if (where.ends_with(": ")) where.resize(where.size() - 2);
-  auto vertex = stage_text(L, "vertex", where);
-  auto fragment = stage_text(L, "fragment", where);
+  auto vertex = stage_text(L, "vertex");
+  auto fragment = stage_text(L, "fragment");
   if (!vertex || !fragment) throw InputError("shader.compile needs both vertex and fragment");
   const gl::ProgramSource source{std::move(*vertex), std::move(*fragment),
-                                 stage_text(L, "geometry", where)};
+                                 stage_text(L, "geometry")};
   push_box<ShaderBox>(L, stage.graphics.make_shader(source));
   return 1;
 }
