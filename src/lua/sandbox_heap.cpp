@@ -22,13 +22,8 @@ void* Heap::allocate(void* heap, void* block, std::size_t old_size, std::size_t 
     self.bytes_ -= old_size;
     return nullptr;
   }
-  if (new_size > old_size) {
-    if (new_size >= large_block) {
-      self.budget_.note_block(new_size);
-      self.budget_.spend(new_size / bytes_per_instruction);
-      if (self.budget_.exhausted()) return nullptr;
-    }
-    if (!self.may_grow(new_size - old_size)) return nullptr;
+  if (new_size > old_size && !self.may_have(new_size, new_size - old_size) && !self.finalizing()) {
+    return nullptr;
   }
   void* moved = std::realloc(block, new_size);
   // Lua relies on shrinking to succeed.
@@ -37,10 +32,23 @@ void* Heap::allocate(void* heap, void* block, std::size_t old_size, std::size_t 
   return moved;
 }
 
+// The collector answers -1, whatever it is asked, while it calls a finalizer.
+bool Heap::finalizing() const { return lua_ && lua_gc(lua_, LUA_GCISRUNNING) == -1; }
+
+bool Heap::may_have(std::size_t block, std::size_t more) {
+  if (block >= large_block) {
+    budget_.note_block(block);
+    budget_.spend(block / bytes_per_instruction);
+    if (budget_.exhausted()) return false;
+  }
+  return may_grow(more);
+}
+
 bool Heap::may_grow(std::size_t more) {
   ++requests_;
   const bool fails_on_purpose = fail_at_ != 0 && requests_ >= fail_at_;
-  if (!fails_on_purpose && more <= cap_ - bytes_) return true;
+  const std::size_t room = cap_ > bytes_ ? cap_ - bytes_ : 0;  // finalizers may be past the cap
+  if (!fails_on_purpose && more <= room) return true;
   // Each refusal makes Lua walk through all it holds, so it costs as much.
   budget_.spend(bytes_ / bytes_per_instruction);
   refused_at_ = budget_.running() ? position_of(budget_.running()) : std::string();

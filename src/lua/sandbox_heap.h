@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <lua.hpp>
 #include <string>
 
 namespace shadowlab::lua {
@@ -10,11 +11,16 @@ namespace shadowlab::lua {
 class Budget;
 
 /// The allocator of one Lua state, with a cap on the bytes alive. Past the cap Lua collects its
-/// garbage and raises "not enough memory" if that does not help.
+/// garbage and raises "not enough memory" if that does not help. Finalizers alone get what they ask
+/// for: Lua calls one in a frame that it allocates, and drops the value whose finalizer it could
+/// not call together with all that the value owns. They are ours, a script has none, and each gives
+/// back more than its frame takes.
 class Heap {
  public:
   Heap(std::size_t cap, Budget& budget) : cap_(cap), budget_(budget) {}
 
+  /// The state that the heap is for, as soon as there is one.
+  void serve(lua_State* L) { lua_ = L; }
   /// A lua_Alloc whose `heap` is a Heap.
   static void* allocate(void* heap, void* block, std::size_t old_size, std::size_t new_size);
 
@@ -33,8 +39,11 @@ class Heap {
   void give(std::size_t bytes) { bytes_ -= bytes; }
 
  private:
+  bool may_have(std::size_t block, std::size_t more);
   bool may_grow(std::size_t more);
+  bool finalizing() const;
 
+  lua_State* lua_ = nullptr;
   std::size_t cap_;
   Budget& budget_;
   std::size_t bytes_ = 0;

@@ -98,6 +98,7 @@ State::State(const Limits& limits, PrintSink print)
       heap_(limits.memory, budget_) {
   lua_ = lua_newstate(Heap::allocate, &heap_);
   if (!lua_) throw MachineError("there is no memory to start Lua");
+  heap_.serve(lua_);
   *static_cast<State**>(lua_getextraspace(lua_)) = this;
   lua_atpanic(lua_, panic);
   lua_pushcfunction(lua_, guarded<open_libraries>);

@@ -1,9 +1,5 @@
 // Every binding of every module with each of its allocations failing in turn: no crash, nothing
 // kept, and a state that goes on working.
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
-#endif
-
 #include "gl_fixture.h"
 #include "gl_random.h"
 
@@ -111,13 +107,7 @@ class Allocations : public GlScript {
   }
 };
 
-// Known gap: Lua calls a finalizer in a frame that it allocates. Where even that fails, the value's
-// destructor never runs and what it owns outside Lua is lost; so leaks are not counted here, only
-// what Lua itself keeps.
 TEST_F(Allocations, of_every_module_may_fail) {
-#ifdef __SANITIZE_ADDRESS__
-  const __lsan::ScopedDisabler finalizers_may_fail;
-#endif
   std::uint64_t failed = 0;
   for (const char* snippet : snippets) {
     state().load_text(snippet, "a.lua");

@@ -212,6 +212,46 @@ TEST(State, each_allocation_may_fail) {
   EXPECT_GT(k, 50u);
 }
 
+// make(): garbage with a finalizer that counts in the integer behind the upvalue.
+int make_counted(lua_State* L) {
+  lua_newuserdatauv(L, 1, 0);
+  lua_createtable(L, 0, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushcclosure(
+      L,
+      [](lua_State* thread) {
+        ++*static_cast<int*>(lua_touserdata(thread, lua_upvalueindex(1)));
+        return 0;
+      },
+      1);
+  lua_setfield(L, -2, "__gc");
+  lua_setmetatable(L, -2);
+  return 0;
+}
+
+int collect_without_memory(lua_State* L) {
+  Heap& heap = State::of(L).heap();
+  heap.fail_from(1);
+  lua_gc(L, LUA_GCCOLLECT);
+  heap.fail_from(0);
+  return 0;
+}
+
+TEST(State, finalizers_run_where_no_other_allocation_is_granted) {
+  Script script;
+  int finalized = 0;
+  lua_pushlightuserdata(script.raw(), &finalized);
+  lua_pushcclosure(script.raw(), make_counted, 1);
+  lua_setglobal(script.raw(), "make");
+  lua_pushcfunction(script.raw(), collect_without_memory);
+  lua_setglobal(script.raw(), "collect");
+  // Each level is deeper than any before: the frame of its finalizers has yet to be allocated.
+  script.value(
+      "local function deeper(n) make() collect() if n > 1 then return 1 + deeper(n - 1) end return "
+      "1 end return deeper(150)");
+  EXPECT_EQ(finalized, 150);
+}
+
 TEST(State, nothing_stays_allocated_after_a_state) {
   // The address sanitizer proves it; here the heap's own count.
   Script script;
