@@ -2678,6 +2678,12 @@ function fbo.accumulation(storage) end
 ---@return any
 function pass(name, fn) end
 
+---Says why the recipe does what it does: `shadowlab run --explain` prints it below the pass. What was said before in a frame is not said again.
+---
+---`explain(sentence)`
+---@return any
+function explain(sentence) end
+
 ---A recipe's parameters: --set gives them other values, and r.params has them.
 param = {}
 

@@ -5,6 +5,7 @@
 
 #include "cli/captures.h"
 #include "cli/commands.h"
+#include "cli/explain.h"
 #include "cli/files.h"
 #include "cli/session.h"
 #include "core/error.h"
@@ -19,6 +20,7 @@ struct RunOptions {
   int frames = 1;
   std::string captures;
   bool timings = false;
+  bool explain = false;
 };
 
 constexpr double frames_per_second = 60;  // the clock that r.time follows
@@ -55,6 +57,7 @@ void run(const RunOptions& options) {
   std::FILE* const words = options.output == "-" ? stderr : stdout;
   recipe::Options recipe_options;
   recipe_options.time_passes = options.timings;
+  recipe_options.explain = options.explain;
   recipe_options.print = [words](std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), words);
   };
@@ -67,6 +70,7 @@ void run(const RunOptions& options) {
   }
   if (captures) captures->finish();
   write_picture(output, session.graphics().frame.read_color());
+  if (options.explain) print_explanation(session, words);
   if (options.timings) print_timings(session.recipe(), words);
 }
 
@@ -91,6 +95,9 @@ void add_run(CLI::App& app, Answer& answer) {
       ->type_name("DIR");
   command->add_flag("--timings", options->timings,
                     "Print the time of each pass of the last frame, between two glFinish");
+  command->add_flag(
+      "--explain", options->explain,
+      "Print what each pass of the last frame drew, and each decision with its reason");
   command->footer(
       "Example:\n  shadowlab run projected_stencil -o out.png --set light=1,3,2 --captures passes");
   command->callback([options, &answer] {

@@ -98,7 +98,7 @@ std::string modules_text() {
   std::string text;
   std::string_view before;
   for (const lua::Module& module : lua::all_modules()) {
-    const bool of_one = std::string_view(module.name) == "pass";  // a function, not a table
+    const bool of_one = std::string_view(module.name) == "pass";  // functions, not a table
     const bool first = module.name != before;
     before = module.name;
     if (is_arithmetic(module)) {

@@ -13,6 +13,7 @@
 #include "context/context.h"
 #include "gl/kinds.h"
 #include "gl/recorder.h"
+#include "gl/work.h"
 
 #ifndef APIENTRY
 #define APIENTRY
@@ -32,6 +33,11 @@ enum class FunctionId : std::uint16_t {
   count
 };
 
+constexpr bool draws(FunctionId id) {
+  return id == FunctionId::DrawArrays || id == FunctionId::DrawElements ||
+         id == FunctionId::DrawArraysInstanced;
+}
+
 constexpr bool sets_uniform(FunctionId id) {
   return id >= FunctionId::Uniform1f && id <= FunctionId::UniformMatrix4fv;
 }
@@ -44,6 +50,7 @@ struct CallContext {
   /// How often a recipe set uniforms of the current program by itself: what the core knows of their
   /// values is then out of date.
   std::uint64_t foreign_uniforms = 0;
+  mutable Work work{};  ///< counted by calls through a table that otherwise only reads this
 };
 
 /// While it lives, calls leave no trace: for what the core draws on its own account.
@@ -82,6 +89,8 @@ class Function {
 
   /// The same without a trace: for what the core does on its own account.
   RawOf<Result> unrecorded(CppOf<Kinds>... arguments) const {
+    if constexpr (draws(Id)) count_draw(arguments...);
+    if constexpr ((std::is_same_v<Kinds, Bytes> || ...)) (count_upload(arguments), ...);
     return pointer(Traits<Kinds>::lower(arguments, shared->main_frame)...);
   }
 
@@ -96,6 +105,18 @@ class Function {
 
   Pointer pointer = nullptr;
   const CallContext* shared = nullptr;
+
+ private:
+  template <class Argument>
+  void count_upload(const Argument& argument) const {
+    if constexpr (std::is_same_v<Argument, CppOf<Bytes>>) shared->work.add_upload(argument.size());
+  }
+  void count_draw(GLenum mode, GLint, GLsizei vertices, GLsizei instances = 1) const {
+    shared->work.add_draw(mode, vertices, instances);
+  }
+  void count_draw(GLenum mode, GLsizei vertices, GLenum, GLsizeiptr) const {
+    shared->work.add_draw(mode, vertices, 1);
+  }
 };
 
 struct Functions {

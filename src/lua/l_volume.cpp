@@ -18,6 +18,12 @@ MeshBox mesh_argument(lua_State* L, int index, const char* function) {
   return read_box<MeshBox>(L, index, fmt::format("argument {} of shadow.{}", index, function));
 }
 
+// What an explanation calls the mesh or object at `index`.
+std::string name_of(lua_State* L, int index) {
+  const auto* object = test_box<ObjectBox>(L, index);
+  return object ? object->object().name : "the caster";
+}
+
 glm::dmat4 model_argument(lua_State* L, int index, const char* function) {
   if (lua_isnoneornil(L, index)) {
     const auto* object = test_box<ObjectBox>(L, 1);
@@ -110,6 +116,21 @@ std::vector<std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& v
   return indices;
 }
 
+std::string what_was_built(const std::string& caster, const Volume& volume,
+                           const Options& options) {
+  const std::string edges = options.lecture ? options.edges == Edges::all
+                                                  ? "every edge of every face"
+                                                  : "every edge of every lit face"
+                                            : "the edges of its silhouette";
+  const std::string caps = options.caps == shadow::Caps::none || options.lecture
+                               ? "and no caps, which z-pass does without"
+                               : fmt::format("and {} triangles of caps, which z-fail needs",
+                                             (volume.all - volume.sides) / 3);
+  return fmt::format(
+      "The volume of {} is {} triangles from {}, extruded {}, {}.", caster, volume.sides / 3, edges,
+      volume.extrusion > 0 ? fmt::format("by {:g} m", volume.extrusion) : "to infinity", caps);
+}
+
 int build(lua_State* L) {
   const MeshBox mesh = mesh_argument(L, 1, "volume");
   const glm::dmat4 model = model_argument(L, 2, "volume");
@@ -136,6 +157,7 @@ int build(lua_State* L) {
     volume->sides = indices.sides.size();
     volume->all = indices.all.size();
   }
+  if (stage.explaining) stage.explain(what_was_built(name_of(L, 1), *volume, options));
   push_box<VolumeBox>(L, volume);
   return 1;
 }
@@ -179,6 +201,20 @@ int draw_unlit(lua_State* L) {
   return 0;
 }
 
+std::string why_zfail(const std::string& caster, const std::optional<shadow::Parting>& apart) {
+  if (!apart) {
+    return fmt::format(
+        "{} needs z-fail: its box meets the pyramid from the near rectangle to the light, so part "
+        "of the near plane may be in its shadow, where z-pass would count from a wrong start.",
+        caster);
+  }
+  const glm::dvec3& n = apart->direction;
+  return fmt::format(
+      "z-pass is right for {}: a plane with normal ({:.2f}, {:.2f}, {:.2f}) parts its box from the "
+      "pyramid from the near rectangle to the light, {:.2f} m apart.",
+      caster, n.x, n.y, n.z, apart->gap);
+}
+
 int needs_zfail(lua_State* L) {
   const auto& camera = read_box<CameraBox>(L, 1, "argument 1 of shadow.needs_zfail").camera();
   const auto light = read_light(L, 2, "argument 2 of shadow.needs_zfail");
@@ -189,8 +225,11 @@ int needs_zfail(lua_State* L) {
           ? read<glm::dmat4>(L, 4, "argument 4 of shadow.needs_zfail (the model matrix)")
       : object ? object->object().model
                : glm::dmat4(1);
-  lua_pushboolean(L, shadow::needs_zfail(camera, Stage::of(L).aspect(), light.position,
-                                         scene::bounds(*mesh), model));
+  Stage& stage = Stage::of(L);
+  const auto apart = shadow::apart_from_near_pyramid(camera, stage.aspect(), light.position,
+                                                     scene::bounds(*mesh), model);
+  if (stage.explaining) stage.explain(why_zfail(name_of(L, 3), apart));
+  lua_pushboolean(L, !apart);
   return 1;
 }
 

@@ -12,6 +12,8 @@
 namespace shadowlab::lua {
 namespace {
 
+constexpr std::size_t most_explanations = 1000;
+
 const char key = 0;  // its address is where the registry keeps the stage
 
 // Whether `file` is in `folder` once symbolic links are followed.
@@ -39,6 +41,14 @@ void Stage::install(lua_State* L, Stage& stage) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &key);
 }
 
+void Stage::explain(std::string text) {
+  const auto same = [&](const Explanation& known) { return known.text == text; };
+  if (!explaining || explanations.size() >= most_explanations ||
+      std::any_of(explanations.begin(), explanations.end(), same))
+    return;
+  explanations.push_back({pass_name, std::move(text)});
+}
+
 std::filesystem::path find_file(const Stage& stage, const std::string& name) {
   const std::filesystem::path path(name);
   if (name.empty() || path.is_absolute()) {
@@ -62,11 +72,13 @@ void begin_frame(Stage& stage) {
   stage.graphics.begin_frame();
   stage.volumes->begin_frame();
   stage.truths->begin_frame();
+  stage.explanations.resize(stage.explained_in_setup);
 }
 
 void end_setup(Stage& stage) {
   stage.graphics.keep_uniforms();
   stage.volumes->keep_all();
+  stage.explained_in_setup = stage.explanations.size();
 }
 
 void open_all(Stage& stage) {

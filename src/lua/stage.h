@@ -25,6 +25,12 @@ class PassListener {
   virtual void end_pass() = 0;
 };
 
+/// A decision that a recipe or the core took, with its reason: one sentence.
+struct Explanation {
+  std::string pass;  ///< where it was taken; empty outside of any
+  std::string text;
+};
+
 /// The things that gl.*, meshes, shaders and scenes act on. It outlives its State's scripts; one
 /// for each State, kept in Lua's registry.
 struct Stage {
@@ -41,6 +47,12 @@ struct Stage {
   /// The shadow volumes that the recipe asked for.
   std::shared_ptr<VolumePool> volumes = nullptr;
   std::shared_ptr<TruthPool> truths = nullptr;
+  /// Whether anybody asks why; else nothing is put into words.
+  bool explaining = false;
+  /// This frame's, in their order; what was said before is not said again.
+  std::vector<Explanation> explanations = {};
+  std::size_t explained_in_setup = 0;  ///< the first ones, which every frame has
+  void explain(std::string text);
   /// Picture width over height, which mesh and scene functions need for projections.
   double aspect() const {
     return static_cast<double>(graphics.width()) / static_cast<double>(graphics.height());

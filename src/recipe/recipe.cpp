@@ -57,6 +57,7 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
       state_(
           options.limits, options.print ? options.print : [](std::string_view) {}),
       stage_{state_, graphics, this, {}, folders(folder_of(file), options.shading)} {
+  stage_.explaining = options.explain;
   graphics_.begin_frame();
   state_.search_in({folder_of(file), home() / "scripts"});
   try {
@@ -250,18 +251,21 @@ void Recipe::draw(double time) {
   if (gl::Recorder* recorder = graphics_.recorder())
     recorder->end_pass();  // of a frame that failed
   state_.restart_budget();
+  const gl::Work before = graphics_.calls().work;
   inside_lua([&](lua_State* L) {
     push_function("draw");
     push_context(time);
     lua_call(L, 1, 0);
   });
+  work_ = graphics_.calls().work - before;
 }
 
 void Recipe::begin_pass(const std::string& name) {
   if (!set_up_) return;  // a step of setup is none of the frame
   if (passes_.size() >= most_passes)
     throw InputError(fmt::format("a frame has at most {} passes", most_passes));
-  passes_.push_back({name, 0});
+  passes_.push_back({name, 0, {}});
+  work_before_pass_ = graphics_.calls().work;
   if (gl::Recorder* recorder = graphics_.recorder()) recorder->begin_pass(name);
   if (!time_passes_) return;
   graphics_.gl.Finish.unrecorded();
@@ -274,6 +278,7 @@ void Recipe::end_pass() {
     graphics_.gl.Finish.unrecorded();
     passes_.back().milliseconds = now() - pass_began_;
   }
+  passes_.back().work = graphics_.calls().work - work_before_pass_;
   if (gl::Recorder* recorder = graphics_.recorder()) recorder->end_pass();
   if (pass_ended_) pass_ended_(passes_.size() - 1);
 }

@@ -41,6 +41,7 @@ struct NamedParameter {
 struct PassTime {
   std::string name;
   double milliseconds = 0;  ///< between two glFinish, the pass alone
+  gl::Work work;            ///< what the pass gave GL to do
 };
 
 struct Options {
@@ -48,6 +49,7 @@ struct Options {
   lua::PrintSink print;              ///< where print goes; nowhere if empty
   std::optional<std::string> scene;  ///< in place of the recipe's own
   bool time_passes = false;          ///< glFinish around each pass
+  bool explain = false;              ///< collect explanations()
   /// What the stock shaders draw: their shading, or the visibility of the light alone, white where
   /// it reaches and black where it does not.
   enum class Shading { full, visibility } shading = Shading::full;
@@ -87,6 +89,11 @@ class Recipe : private lua::PassListener {
   /// The passes of the last frame, in their order; times where the options asked for them.
   const std::vector<PassTime>& passes() const { return passes_; }
 
+  /// What the last frame decided, and why, in its order; where the options asked for it.
+  const std::vector<lua::Explanation>& explanations() const { return stage_.explanations; }
+  /// What the whole of the last frame gave GL to do, setup apart.
+  const gl::Work& work() const { return work_; }
+
   /// Called at the end of each pass with its index, while its results are in the buffers.
   void on_pass_end(std::function<void(std::size_t)> listener) { pass_ended_ = std::move(listener); }
 
@@ -112,6 +119,8 @@ class Recipe : private lua::PassListener {
   std::vector<PassTime> passes_;
   std::function<void(std::size_t)> pass_ended_;
   double pass_began_ = 0;
+  gl::Work work_;
+  gl::Work work_before_pass_;
   bool set_up_ = false;
   int scene_load_ = LUA_NOREF;
   int table_ = LUA_NOREF;    ///< the recipe's table, in Lua's registry

@@ -50,7 +50,9 @@ std::vector<glm::dvec3> parting_directions(const Pyramid& pyramid) {
   return directions;
 }
 
-bool parted(const Pyramid& pyramid, const scene::Bounds& box, glm::dvec3 direction) {
+// How far they are apart along `direction`, in its lengths; nothing where it does not part them.
+std::optional<double> gap_along(const Pyramid& pyramid, const scene::Bounds& box,
+                                glm::dvec3 direction) {
   Interval a, b;
   double magnitude = 0;
   const auto along = [&](glm::dvec3 p) {
@@ -74,7 +76,8 @@ bool parted(const Pyramid& pyramid, const scene::Bounds& box, glm::dvec3 directi
   }
   const double gap = std::max(b.low - a.high, a.low - b.high);
   // A double's rounding, with room; a zero direction parts nothing.
-  return gap > 1e-12 * magnitude;
+  if (gap > 1e-12 * magnitude) return gap;
+  return {};
 }
 
 }  // namespace
@@ -88,9 +91,10 @@ std::array<glm::dvec3, 4> near_rectangle(const scene::Camera& camera, double asp
   return {corner(-w, -h), corner(w, -h), corner(w, h), corner(-w, h)};
 }
 
-bool needs_zfail(const scene::Camera& camera, double aspect, glm::dvec4 light,
-                 const scene::Bounds& bounds, const glm::dmat4& model) {
-  if (bounds.empty()) return false;
+std::optional<Parting> apart_from_near_pyramid(const scene::Camera& camera, double aspect,
+                                               glm::dvec4 light, const scene::Bounds& bounds,
+                                               const glm::dmat4& model) {
+  if (bounds.empty()) return Parting{{0, 1, 0}, std::numeric_limits<double>::infinity()};
   // In model space the box stays a box; being apart does not depend on the space.
   const glm::dvec4 local_light = light_in_model_space(model, light);
   const glm::dmat4 to_model = glm::inverse(model);
@@ -109,9 +113,13 @@ bool needs_zfail(const scene::Camera& camera, double aspect, glm::dvec4 light,
   const glm::dvec3 margin(1e-6 * std::max({farthest.x, farthest.y, farthest.z}));
   const scene::Bounds box{bounds.low - margin, bounds.high + margin};
   for (const glm::dvec3& direction : parting_directions(pyramid)) {
-    if (parted(pyramid, box, direction)) return false;
+    if (const auto gap = gap_along(pyramid, box, direction)) {
+      // A plane's normal goes to world space by the inverse transpose.
+      const glm::dvec3 normal = glm::transpose(glm::dmat3(to_model)) * direction;
+      return Parting{glm::normalize(normal), *gap / glm::length(normal)};
+    }
   }
-  return true;
+  return {};
 }
 
 }  // namespace shadowlab::shadow

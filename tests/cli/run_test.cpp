@@ -121,6 +121,58 @@ TEST_F(Cli, run_prints_a_row_of_time_for_each_pass) {
                                                "second +[0-9.]+ +[0-9]+%\nframe +[0-9.]+\n"));
 }
 
+TEST_F(Cli, run_explains_what_each_pass_drew_and_what_it_sent) {
+  // A quad is two triangles; its first draw uploads 4 vertices of 32 bytes and 6 indices of 4.
+  write("two.lua",
+        "local r = {}\n"
+        "function r.setup(r) r.quad, r.flat = mesh.quad(), shader.load 'flat' end\n"
+        "function r.draw(r)\n"
+        "  explain 'said between'\n"
+        "  pass('first', function()\n"
+        "    explain 'said in the first' explain 'said between'\n"
+        "    for i = 1, 3 do r.quad:draw(r.flat) end\n"
+        "  end)\n"
+        "  pass('second', function() gl.Clear(gl.COLOR_BUFFER_BIT) end)\n"
+        "end\nreturn r\n");
+  const Ended ended = run("run two.lua --size 4 --explain");
+  EXPECT_EQ(ended.out.substr(0, ended.out.find("GL holds")),
+            "before and between the passes\n"
+            "  said between\n"
+            "  Draws nothing; uploads nothing.\n"
+            "first\n"
+            "  said in the first\n"
+            "  3 draws of 6 triangles; 2 uploads of 152 bytes.\n"
+            "second\n"
+            "  Draws nothing; uploads nothing.\n"
+            "the whole frame\n"
+            "  3 draws of 6 triangles; 2 uploads of 152 bytes.\n  ");
+  // The picture: 4 x 4 pixels of 8 bytes, colour in one texture, depth and stencil in the other.
+  EXPECT_THAT(ended.out,
+              testing::HasSubstr("GL holds 2 buffers of 152 bytes, 2 textures of 128 bytes and 0 "
+                                 "renderbuffers of 0 bytes"));
+}
+
+TEST_F(Cli, a_frame_that_nobody_asks_about_says_nothing) {
+  write_recipe("one.lua", "explain 'why'");
+  EXPECT_EQ(run("run one.lua --size 4").out, "");
+  write_recipe("wrong.lua", "explain(1)");
+  expect_sentence(run("run wrong.lua --size 4"), 2, "explain takes a sentence");
+}
+
+TEST_F(Cli, run_explains_which_caster_needs_zfail) {
+  // From the scene's own camera the near plane is lit; from the light's side of the teapot, with
+  // the teapot between light and camera, it is not: the light below the table looks up at both.
+  const std::string lit = run("run volumes_auto --size 16 --explain -o out.png").out;
+  EXPECT_THAT(lit, testing::HasSubstr("z-pass is right for teapot: a plane with normal ("));
+  EXPECT_THAT(lit, testing::HasSubstr("and no caps, which z-pass does without."));
+  EXPECT_THAT(lit, testing::HasSubstr("1 caster in 1 group"));
+  // On the line from the eye (0.35, 3.7, 5.9) through the teapot, beyond it.
+  const std::string dark =
+      run("run volumes_auto --size 16 --explain --set light=-1.55,-3,-6.1 -o out.png").out;
+  EXPECT_THAT(dark, testing::HasSubstr("teapot needs z-fail: its box meets the pyramid"));
+  EXPECT_THAT(dark, testing::HasSubstr("triangles of caps, which z-fail needs."));
+}
+
 TEST_F(Cli, a_context_that_is_not_there_ends_with_3) {
   write_recipe("fill.lua", fill);
   expect_sentence(run("run fill.lua --context glfw", "env -u DISPLAY -u WAYLAND_DISPLAY"), 3,

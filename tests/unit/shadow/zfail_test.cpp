@@ -160,5 +160,21 @@ TEST(InfinitePerspective, refuses_what_is_no_projection) {
   EXPECT_THROW(infinite_perspective(60, 1, std::nan("")), InputError);
 }
 
+TEST(NeedsZfail, says_how_far_the_caster_is_from_the_pyramid_in_world_space) {
+  Camera camera;
+  camera.eye = {0, 0, 5};
+  camera.target = {0, 0, 0};
+  camera.near = 1;
+  const Bounds box{{-1, -1, -1}, {1, 1, 1}};
+  const glm::dvec4 light(0, 0, 8, 1);  // behind the camera: the pyramid is over z = 4
+  // Twice as large, and turned so that the world's z is the model's x; 4 - 2 = 2 apart, less the
+  // margin of 1e-6 of the coordinates.
+  const glm::dmat4 model(0, 0, 2, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 0, 1);
+  const auto apart = apart_from_near_pyramid(camera, 1, light, box, model);
+  ASSERT_TRUE(apart);
+  EXPECT_NEAR(apart->gap, 2, 1e-5);
+  EXPECT_NEAR(std::abs(apart->direction.z), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace shadowlab::shadow
