@@ -1,6 +1,9 @@
 // shadowlab check: recipes against the exact truth.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "cli/commands.h"
 #include "cli/session.h"
 #include "core/error.h"
@@ -19,10 +22,41 @@ struct CheckCommand {
   std::string pictures;
   int views = 1;
   std::uint64_t seed = 1;
+  double nearest = measure::CheckOptions{}.nearest;
 };
 
 bool is_checked(gl::Graphics& graphics, const std::filesystem::path& recipe) {
   return !recipe::Recipe(graphics, recipe).description().truth.empty();
+}
+
+constexpr std::size_t most_views = 4;  // of one row that are named and drawn
+
+// The wrong views, or the scene's own where none is wrong.
+void write_pictures(gl::Graphics& graphics, const std::filesystem::path& recipe,
+                    const measure::CheckOptions& options, const measure::CheckResult& row,
+                    const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  auto views = row.wrong_views;
+  if (views.empty()) views.emplace_back(0, 0);
+  views.resize(std::min(most_views, views.size()));
+  for (const auto& [view, wrong] : views) {
+    image::write_png(folder / fmt::format("{}_{}_{}.png", row.recipe, row.scene, view),
+                     measure::picture_of(graphics, recipe, options, view));
+  }
+}
+
+// "33 (93 pixels), 71 (2)": the worst first.
+std::string wrong_views(const measure::CheckResult& row) {
+  if (row.wrong_views.empty()) return "-";
+  std::string text;
+  for (const auto& [view, wrong] :
+       std::span(row.wrong_views).first(std::min(most_views, row.wrong_views.size()))) {
+    text += text.empty() ? fmt::format("{} ({} pixels)", view, wrong)
+                         : fmt::format(", {} ({})", view, wrong);
+  }
+  if (row.wrong_views.size() > most_views)
+    text += fmt::format(" and {} more", row.wrong_views.size() - most_views);
+  return text;
 }
 
 Answer check(const CheckCommand& command) {
@@ -42,13 +76,14 @@ Answer check(const CheckCommand& command) {
 
   Answer answer = Answer::yes;
   fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>9}  {}\n", "recipe", "scene",
-             "views", "outside", "pixels", "wrong", "beyond edge", "RMSE", "worst view");
+             "views", "outside", "pixels", "wrong", "beyond edge", "RMSE", "wrong views");
   for (const auto& recipe : recipes) {
     for (const auto& scene : scenes) {
       measure::CheckOptions options;
       options.scene = scene;
       options.views = command.views;
       options.seed = command.seed;
+      options.nearest = command.nearest;
       for (const std::string& setting : command.settings) {
         const auto equals = setting.find('=');
         if (equals == std::string::npos)
@@ -58,17 +93,11 @@ Answer check(const CheckCommand& command) {
       const auto row = measure::check(graphics, recipe, options);
       fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>9.6f}  {}\n", row.recipe,
                  row.scene, row.views, row.outside, row.pixels, row.wrong, row.wrong_beyond_edge,
-                 row.rmse,
-                 row.worst_wrong > 0 ? fmt::format("{} ({} wrong)", row.worst_view, row.worst_wrong)
-                                     : "-");
+                 row.rmse, wrong_views(row));
       std::fflush(stdout);
       if (row.wrong_beyond_edge > 0) answer = Answer::no;
-      if (!command.pictures.empty()) {
-        std::filesystem::create_directories(command.pictures);
-        image::write_png(std::filesystem::path(command.pictures) /
-                             fmt::format("{}_{}_{}.png", row.recipe, row.scene, row.worst_view),
-                         measure::picture_of(graphics, recipe, options, row.worst_view));
-      }
+      if (!command.pictures.empty())
+        write_pictures(graphics, recipe, options, row, command.pictures);
     }
   }
   return answer;
@@ -99,6 +128,12 @@ void add_check(CLI::App& app, Answer& answer) {
   command->add_option("--seed", options->seed, "Seed of the random views")
       ->type_name("N")
       ->capture_default_str();
+  command
+      ->add_option("--nearest", options->nearest,
+                   "The nearest near plane of the random views, in radii of the casters")
+      ->type_name("R")
+      ->check(CLI::Range(1e-9, 0.3))
+      ->capture_default_str();
   command->add_option("--size", options->size, "Picture size in pixels")
       ->type_name("WxH")
       ->capture_default_str();
@@ -108,7 +143,7 @@ void add_check(CLI::App& app, Answer& answer) {
   command
       ->add_option(
           "--pictures", options->pictures,
-          "Write the worst view of each row into this folder: technique, truth, wrong pixels")
+          "Write the worst views of each row into this folder: technique, truth, wrong pixels")
       ->type_name("DIR");
   command->footer(
       "Columns: views compared, and those outside of the technique's conditions; pixels compared; "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "core/error.h"
@@ -78,7 +79,7 @@ class Comparer {
 
   /// Nothing where the technique does not claim to hold.
   std::optional<Pictures> compare(int index) {
-    const View view = view_of(scene_, own_light_, options_.seed, index);
+    const View view = view_of(scene_, own_light_, options_.seed, index, options_.nearest);
     recipe_.set_camera(view.camera);
     recipe_.set_light(view.light);
     if (!recipe_.holds()) return {};
@@ -124,7 +125,8 @@ class Comparer {
 
 }  // namespace
 
-View view_of(const scene::Scene& scene, glm::dvec4 light, std::uint64_t seed, int index) {
+View view_of(const scene::Scene& scene, glm::dvec4 light, std::uint64_t seed, int index,
+             double nearest) {
   if (index == 0) return {scene.camera, light};
   Random random(seed * 1'000'003 + static_cast<std::uint64_t>(index));
   const scene::Bounds casters = bounds_of(scene, true), all = bounds_of(scene, false);
@@ -138,7 +140,7 @@ View view_of(const scene::Scene& scene, glm::dvec4 light, std::uint64_t seed, in
   if (glm::length(glm::cross(sight, view.camera.up)) < 1e-3 * glm::length(sight))
     view.camera.up = {sight.y, sight.z, sight.x};
   view.camera.fovy = random.between(25, 100);
-  view.camera.near = radius * std::pow(10, random.between(-3, -0.5));
+  view.camera.near = radius * std::pow(10, random.between(std::log10(nearest), -0.5));
   view.camera.far = 4 * (glm::length(view.camera.eye - all.center()) + all.radius());
   const glm::dvec3 toward = random.direction();
   if (random.unit() < 0.25) {
@@ -168,11 +170,10 @@ CheckResult check(gl::Graphics& graphics, const std::filesystem::path& file,
     result.wrong += row.wrong;
     result.wrong_beyond_edge += row.wrong_beyond_edge;
     squares += row.rmse * row.rmse * static_cast<double>(row.pixels);
-    if (row.wrong_beyond_edge > result.worst_wrong) {
-      result.worst_wrong = row.wrong_beyond_edge;
-      result.worst_view = index;
-    }
+    if (row.wrong_beyond_edge > 0) result.wrong_views.emplace_back(index, row.wrong_beyond_edge);
   }
+  std::ranges::stable_sort(result.wrong_views, std::greater{},
+                           &std::pair<int, std::size_t>::second);
   if (result.pixels > 0) result.rmse = std::sqrt(squares / static_cast<double>(result.pixels));
   return result;
 }
