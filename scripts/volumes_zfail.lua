@@ -74,6 +74,7 @@ function recipe.draw(r)
   gl.ColorMask(true, true, true, true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
   gl.DepthFunc(gl.LEQUAL)
+  gl.Disable(gl.POLYGON_OFFSET_FILL)
 
   -- NOTEQUAL 0: the slide's EQUAL 1 leaves what two casters shadow without either colour.
   pass("4. the dark part of the scene", function()
