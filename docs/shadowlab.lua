@@ -2636,6 +2636,12 @@ function shadow.adjacency(mesh) end
 ---@return table
 function shadow.silhouette(mesh, model, light) end
 
+---A mesh, or a scene's object (model may then be nil), as the shaders "extrude_vertex" or "extrude_geometry" take it, which make its shadow volume by themselves: nothing is computed or sent when the light moves.
+---
+---`shadow.extrusion(mesh, "vertex"|"geometry", model) -> extrusion`
+---@return any
+function shadow.extrusion(mesh, values, model) end
+
 ---The exact, ray-traced visibility at each pixel, in [0, 1], as a gl.R32F texture of the picture's size: texelFetch it at gl_FragCoord.
 ---
 ---`shadow.truth(scene, camera, light, {samples = , pattern = , seed = , error = }) -> texture`
@@ -2865,4 +2871,21 @@ function volume_value:draw_sides(shader, values) end
 ---`v:draw_unlit(shader, {view = , projection = })`
 ---@return any
 function volume_value:draw_unlit(shader, values) end
+
+---What shadow.extrusion gives.
+---@class extrusion
+---@field primitives any how many the shaders are given
+local extrusion_value = {}
+
+---Draws the volume, sides and caps: what z-fail counts. The shader is "extrude_vertex" or "extrude_geometry", as the extrusion was asked for.
+---
+---`e:draw(shader, {view = , projection = , light = })`
+---@return any
+function extrusion_value:draw(shader, values) end
+
+---Draws the mesh's triangles of which the camera sees the side that is turned from the light, by the shader "unlit_vertex" or "unlit_geometry": those are in their own shadow.
+---
+---`e:draw_unlit(shader, {view = , projection = , light = })`
+---@return any
+function extrusion_value:draw_unlit(shader, values) end
 

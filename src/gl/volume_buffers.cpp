@@ -1,6 +1,6 @@
 #include "gl/volume_buffers.h"
 
-#include <array>
+#include <numeric>
 
 namespace shadowlab::gl {
 namespace {
@@ -77,6 +77,44 @@ void VolumeBuffers::draw(std::size_t first, std::size_t count) const {
   if (count == 0) return;
   gl_.BindVertexArray(vertex_array_);
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                   static_cast<GLsizeiptr>(first * sizeof(std::uint32_t)));
+}
+
+FixedElements::FixedElements(const Functions& gl, CallContext& context,
+                             std::span<const float> vertices, std::span<const GLint> components,
+                             std::span<const std::uint32_t> indices)
+    : gl_(gl) {
+  const Untraced untraced(context);
+  const Bindings bindings(gl);
+  gl.GenVertexArrays(1, {&vertex_array_, 1});
+  gl.GenBuffers(2, buffers_);
+  gl.BindVertexArray(vertex_array_);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()),
+                std::as_bytes(vertices), GL_STATIC_DRAW);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()),
+                std::as_bytes(indices), GL_STATIC_DRAW);
+  const GLint all = std::accumulate(components.begin(), components.end(), 0);
+  GLint before = 0;
+  for (GLuint location = 0; location < components.size(); ++location) {
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribPointer(location, components[location], GL_FLOAT, GL_FALSE,
+                           all * static_cast<GLsizei>(sizeof(float)),
+                           before * static_cast<GLsizeiptr>(sizeof(float)));
+    before += components[location];
+  }
+}
+
+FixedElements::~FixedElements() {
+  gl_.DeleteVertexArrays.unrecorded(1, {&vertex_array_, 1});
+  gl_.DeleteBuffers.unrecorded(2, buffers_);
+}
+
+void FixedElements::draw(GLenum mode, std::size_t first, std::size_t count) const {
+  if (count == 0) return;
+  gl_.BindVertexArray(vertex_array_);
+  gl_.DrawElements(mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                    static_cast<GLsizeiptr>(first * sizeof(std::uint32_t)));
 }
 

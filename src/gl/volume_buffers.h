@@ -1,6 +1,7 @@
 // Shadow volumes on their way to GL: vertices that never change, indices that follow the light.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 
@@ -45,6 +46,25 @@ class VolumeBuffers {
   GLuint vertex_array_ = 0;
   GLuint indices_ = 0;
   std::size_t capacity_ = 0;
+};
+
+/// Vertices and elements that never change, whatever the light does: what shaders extrude.
+class FixedElements {
+ public:
+  /// Interleaved floats: `components[i]` of them at location i.
+  FixedElements(const Functions& gl, CallContext& context, std::span<const float> vertices,
+                std::span<const GLint> components, std::span<const std::uint32_t> indices);
+  ~FixedElements();
+  FixedElements(const FixedElements&) = delete;
+  FixedElements& operator=(const FixedElements&) = delete;
+
+  /// glDrawElements of `count` indices from `first`, with the current program and state.
+  void draw(GLenum mode, std::size_t first, std::size_t count) const;
+
+ private:
+  const Functions& gl_;
+  GLuint vertex_array_ = 0;
+  std::array<GLuint, 2> buffers_{};
 };
 
 }  // namespace shadowlab::gl

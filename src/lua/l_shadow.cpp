@@ -110,10 +110,12 @@ void open_shadow(Stage& stage) {
   lua_newtable(L);
   set_functions(L, functions);
   set_functions(L, volume_functions());
+  set_functions(L, extrusion_functions());
   set_functions(L, truth_functions());
   refuse_unknown_names(L, -1, "shadow");
   lua_setglobal(L, "shadow");
   open_volume(stage);
+  open_extrusion(stage);
   open_truth(stage);
 }
 

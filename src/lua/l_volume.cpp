@@ -8,23 +8,13 @@
 #include "shadow/zfail.h"
 
 namespace shadowlab::lua {
-namespace {
 
-using shadow::Edges;
-
-// A mesh, or an object of a scene with its own model matrix.
-MeshBox mesh_argument(lua_State* L, int index, const char* function) {
+MeshBox caster_mesh(lua_State* L, int index, const char* function) {
   if (const auto* object = test_box<ObjectBox>(L, index)) return object->object().mesh;
   return read_box<MeshBox>(L, index, fmt::format("argument {} of shadow.{}", index, function));
 }
 
-// What an explanation calls the mesh or object at `index`.
-std::string name_of(lua_State* L, int index) {
-  const auto* object = test_box<ObjectBox>(L, index);
-  return object ? object->object().name : "the caster";
-}
-
-glm::dmat4 model_argument(lua_State* L, int index, const char* function) {
+glm::dmat4 caster_model(lua_State* L, int index, const char* function) {
   if (lua_isnoneornil(L, index)) {
     const auto* object = test_box<ObjectBox>(L, 1);
     return object ? object->object().model : glm::dmat4(1);
@@ -33,6 +23,16 @@ glm::dmat4 model_argument(lua_State* L, int index, const char* function) {
       L, index,
       fmt::format("argument {} of shadow.{} (the model matrix)", index, function).c_str());
 }
+
+namespace {
+
+// What an explanation calls the mesh or object at `index`.
+std::string name_of(lua_State* L, int index) {
+  const auto* object = test_box<ObjectBox>(L, index);
+  return object ? object->object().name : "the caster";
+}
+
+using shadow::Edges;
 
 struct Options {
   Edges edges = Edges::silhouette;
@@ -132,8 +132,8 @@ std::string what_was_built(const std::string& caster, const Volume& volume,
 }
 
 int build(lua_State* L) {
-  const MeshBox mesh = mesh_argument(L, 1, "volume");
-  const glm::dmat4 model = model_argument(L, 2, "volume");
+  const MeshBox mesh = caster_mesh(L, 1, "volume");
+  const glm::dmat4 model = caster_model(L, 2, "volume");
   const auto light = read_light(L, 3, "argument 3 of shadow.volume (the light)");
   const Options options = read_options(L, 4);
   Stage& stage = Stage::of(L);
@@ -218,7 +218,7 @@ std::string why_zfail(const std::string& caster, const std::optional<shadow::Par
 int needs_zfail(lua_State* L) {
   const auto& camera = read_box<CameraBox>(L, 1, "argument 1 of shadow.needs_zfail").camera();
   const auto light = read_light(L, 2, "argument 2 of shadow.needs_zfail");
-  const MeshBox mesh = mesh_argument(L, 3, "needs_zfail");
+  const MeshBox mesh = caster_mesh(L, 3, "needs_zfail");
   const auto* object = test_box<ObjectBox>(L, 3);
   const glm::dmat4 model =
       !lua_isnoneornil(L, 4)
@@ -234,14 +234,14 @@ int needs_zfail(lua_State* L) {
 }
 
 int layers(lua_State* L) {
-  const MeshBox mesh = mesh_argument(L, 1, "layers");
+  const MeshBox mesh = caster_mesh(L, 1, "layers");
   lua_pushinteger(L, static_cast<lua_Integer>(Stage::of(L).volumes->source(mesh)->layers));
   return 1;
 }
 
 /// The edge graph, for those who write their own silhouette: 1-based, as Lua counts.
 int adjacency(lua_State* L) {
-  const MeshBox mesh = mesh_argument(L, 1, "adjacency");
+  const MeshBox mesh = caster_mesh(L, 1, "adjacency");
   Stage& stage = Stage::of(L);
   stage.state.check_budget(mesh->indices.size() * 4);
   const auto source = stage.volumes->source(mesh);
@@ -272,8 +272,8 @@ int adjacency(lua_State* L) {
 
 /// A list of { a, b }: vec3s in model space, directed so that the caster's lit side is on the left.
 int silhouette(lua_State* L) {
-  const MeshBox mesh = mesh_argument(L, 1, "silhouette");
-  const glm::dmat4 model = model_argument(L, 2, "silhouette");
+  const MeshBox mesh = caster_mesh(L, 1, "silhouette");
+  const glm::dmat4 model = caster_model(L, 2, "silhouette");
   const auto light = read_light(L, 3, "argument 3 of shadow.silhouette (the light)");
   const auto source = Stage::of(L).volumes->source(mesh);
   const auto edges =

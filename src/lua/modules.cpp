@@ -33,6 +33,7 @@ std::vector<Module> all_modules() {
   modules.push_back({"scene", "The catalogue of scripts/scenes.", scene_functions()});
   modules.push_back({"shadow", "The subject, in double precision.", shadow_functions()});
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
+  modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});
   modules.push_back({"shadow", "The exact visibility.", truth_functions()});
   modules.push_back({"fbo",
                      "Short forms for the common targets; gl.GenFramebuffers and its like are the "
@@ -83,6 +84,8 @@ std::vector<ValueType> all_values() {
       {"volume", "What shadow.volume gives.", volume_methods(),
        described<VolumeBox>({{"triangles", "how many there are, caps and all"},
                              {"side_triangles", "how many of them are its sides"}})},
+      {"extrusion", "What shadow.extrusion gives.", extrusion_methods(),
+       described<Extrusion>({{"primitives", "how many the shaders are given"}})},
   };
 }
 

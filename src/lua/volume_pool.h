@@ -11,9 +11,10 @@
 
 #include "gl/graphics.h"
 #include "gl/volume_buffers.h"
-#include "lua/box.h"
+#include "lua/boxes.h"
 #include "lua/stage.h"
 #include "scene/adjacency.h"
+#include "shadow/extrusion.h"
 #include "shadow/facing.h"
 #include "shadow/volume.h"
 
@@ -31,6 +32,23 @@ struct VolumeSource {
   std::shared_ptr<gl::VolumeVertices> vertices;  ///< the builder's
   /// The adjacency's vertices, doubled; made when asked for.
   std::shared_ptr<gl::VolumeVertices> adjacency_vertices;
+
+  /// What shaders extrude by themselves; each made when asked for.
+  struct Extrudable {
+    shadow::ExtrusionOrder order;
+    std::unique_ptr<gl::FixedElements> doubled;   ///< for the vertex shader
+    std::unique_ptr<gl::FixedElements> adjacent;  ///< for the geometry shader
+    std::unique_ptr<gl::FixedElements> separate;  ///< the triangles alone
+  };
+  std::unique_ptr<Extrudable> extrudable;
+};
+
+/// A caster whose volume shaders make: nothing of it changes with the light.
+struct Extrusion {
+  enum class Stage { vertex, geometry };
+  std::shared_ptr<VolumeSource> source;
+  Stage stage = Stage::vertex;
+  glm::dmat4 model{1};
 };
 
 /// One volume as drawn: its indices, and the light and model that it was built for.
@@ -71,6 +89,21 @@ class VolumePool {
   gl::Graphics& graphics_;
   std::map<const scene::Mesh*, Entry> entries_;
 };
+
+template <>
+struct BoxTraits<Extrusion> {
+  static constexpr const char* name = "extrusion";
+  static bool push_field(lua_State*, Extrusion&, std::string_view);
+  static std::span<const std::string_view> fields();
+};
+std::span<const Entry> extrusion_functions();
+std::span<const Entry> extrusion_methods();
+void open_extrusion(Stage& stage);
+
+/// The mesh, or the mesh of the object, that argument `index` of shadow.`function` is.
+MeshBox caster_mesh(lua_State* L, int index, const char* function);
+/// The model matrix at `index`; nil is that of the object which argument 1 is, or none.
+glm::dmat4 caster_model(lua_State* L, int index, const char* function);
 
 /// shadow.volume and its like, for the table of shadow.*; and their methods.
 std::span<const Entry> volume_functions();

@@ -119,7 +119,7 @@ FacingPlanes::FacingPlanes(std::vector<glm::vec3> positions, std::vector<scene::
 // of n, d, l and w' give 2e, evaluation (a product and two sums for each term) 3e, the normal
 // itself (see the sliver test) 2^-29. 16 e holds all that with room. In double, the subtractions of
 // center err by 2^-53 of coordinates that need not be small beside radius and scale.
-FacingPlanes::FloatLight FacingPlanes::rounded(glm::dvec4 light) const {
+FacingPlanes::ScaledLight FacingPlanes::scaled(glm::dvec4 light) const {
   // A power of two first, exactly, so that no square overflows.
   const double largest =
       std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z), light.w});
@@ -130,25 +130,24 @@ FacingPlanes::FloatLight FacingPlanes::rounded(glm::dvec4 light) const {
                             2 * coordinate_ / radius_;
   const double bound = 16 * 0x1p-24 + 16 * 0x1p-53 * subtracted;
   const glm::dvec3 l = from_center / scale;
-  return {static_cast<float>(l.x), static_cast<float>(l.y), static_cast<float>(l.z),
-          static_cast<float>(light.w * radius_ / scale), static_cast<float>(bound * (1 + 1e-6))};
+  return {glm::vec4(l, light.w * radius_ / scale), static_cast<float>(bound * (1 + 1e-6))};
 }
 
 template <class Sign>
 void FacingPlanes::decide(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out,
                           Sign sign) const {
-  const FloatLight l = rounded(light);
+  const auto [l, bound] = scaled(light);
   constexpr bool only_lit = Sign::only_lit;
   for (std::size_t begin = 0; begin < out.size(); begin += block) {
     const std::size_t n = std::min(block, out.size() - begin), t = first + begin;
     const Planes planes{&x_[t], &y_[t], &z_[t], &d_[t]};
     std::int8_t* const decided = out.data() + begin;
     const auto kernel = only_lit ? decide_lit : decide_sign;
-    if (kernel(planes, l.x, l.y, l.z, l.w, l.bound, n, decided)) continue;
+    if (kernel(planes, l.x, l.y, l.z, l.w, bound, n, decided)) continue;
     for (std::size_t i = 0; i < n; ++i) {
       const float value =
           (planes.x[i] * l.x + planes.y[i] * l.y) + (planes.z[i] * l.z + planes.d[i] * l.w);
-      if (std::abs(value) > l.bound) continue;
+      if (std::abs(value) > bound) continue;
       const auto& [a, b, c] = triangles_[t + i];
       decided[i] = sign(scene::plane_side(positions_[a], positions_[b], positions_[c], light));
     }

@@ -35,6 +35,18 @@ class FacingPlanes {
   /// out[i] for triangle first + i: +1, -1, or 0 where the light is in its plane.
   void signs(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const;
 
+  /// A light in the planes' units, rounded: plane(i)·light is over `bound` where triangle i faces
+  /// it, under -bound where it faces away, in float and in whatever order the products are added.
+  /// Between the two the planes cannot tell.
+  struct ScaledLight {
+    glm::vec4 light;
+    float bound;
+  };
+  /// `light` is normalized.
+  ScaledLight scaled(glm::dvec4 light) const;
+  /// The plane of triangle i for a shader; 0 where it is such a sliver that floats say nothing.
+  glm::vec4 plane(std::size_t i) const { return {x_[i], y_[i], z_[i], d_[i]}; }
+
   /// Bytes that `lit` must read a triangle.
   static constexpr std::size_t bytes_a_triangle = 4 * sizeof(float);
 
@@ -46,10 +58,6 @@ class FacingPlanes {
   double radius_ = 1;      // of a ball around center_ that holds all vertices
   double coordinate_ = 0;  // no vertex has a greater one
 
-  struct FloatLight {
-    float x, y, z, w, bound;
-  };
-  FloatLight rounded(glm::dvec4 light) const;
   template <class Sign>
   void decide(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out, Sign sign) const;
 };
