@@ -38,6 +38,17 @@ TEST_F(Check, z_fail_and_auto_are_right_everywhere_beyond_a_pixel_of_an_edge) {
   }
 }
 
+TEST_F(Check, volumes_that_shaders_make_are_right_everywhere_beyond_a_pixel_of_an_edge) {
+  for (const char* extruder : {"vertex", "geometry"}) {
+    for (const char* scene : {"tetra", "mobius", "room"}) {
+      const CheckResult result = row("volumes_gpu", scene, 8, {{"extruder", extruder}});
+      EXPECT_GT(result.pixels, 10000u) << extruder << ' ' << scene;
+      EXPECT_EQ(result.wrong_beyond_edge, 0u)
+          << extruder << ' ' << scene << " view " << result.worst_view;
+    }
+  }
+}
+
 TEST_F(Check, z_pass_is_right_where_it_says_that_it_holds) {
   for (const char* recipe : {"volumes_zpass", "volumes_two_sided"}) {
     const CheckResult result = row(recipe, "tetra", 12);
