@@ -83,6 +83,7 @@ function recipe.draw(r)
   gl.ColorMask(true, true, true, true)
   gl.DepthMask(true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+  gl.Disable(gl.POLYGON_OFFSET_FILL)
 
   pass("4. the scene, dark", function()
     gl.Clear(gl.DEPTH_BUFFER_BIT)
