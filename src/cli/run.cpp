@@ -47,7 +47,8 @@ std::filesystem::path picture_of(const RunOptions& options) {
   return std::filesystem::path(options.draw.recipe).stem() += ".png";
 }
 
-void run(const RunOptions& options) {
+// The session outlives the run, so that the end of the process takes it back at once.
+std::unique_ptr<Session> run(const RunOptions& options) {
   if (options.frames < 1 || options.frames > 100000)
     throw InputError("--frames takes a number from 1 to 100000");
   const auto output = picture_of(options);
@@ -61,7 +62,8 @@ void run(const RunOptions& options) {
   recipe_options.print = [words](std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), words);
   };
-  Session session(options.draw, std::move(recipe_options));
+  auto kept = std::make_unique<Session>(options.draw, std::move(recipe_options));
+  Session& session = *kept;
   std::optional<Captures> captures;
   for (int frame = 0; frame < options.frames; ++frame) {
     const bool last = frame + 1 == options.frames;
@@ -72,6 +74,7 @@ void run(const RunOptions& options) {
   write_picture(output, session.graphics().frame.read_color());
   if (options.explain) print_explanation(session, words);
   if (options.timings) print_timings(session.recipe(), words);
+  return kept;
 }
 
 }  // namespace
@@ -100,8 +103,9 @@ void add_run(CLI::App& app, Answer& answer) {
       "Print what each pass of the last frame drew, and each decision with its reason");
   command->footer(
       "Example:\n  shadowlab run projected_stencil -o out.png --set light=1,3,2 --captures passes");
-  command->callback([options, &answer] {
-    run(*options);
+  auto session = std::make_shared<std::unique_ptr<Session>>();
+  command->callback([options, session, &answer] {
+    *session = run(*options);
     answer = Answer::yes;
   });
 }

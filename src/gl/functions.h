@@ -77,14 +77,10 @@ class Function {
   static constexpr std::size_t arity = sizeof...(Kinds);
 
   RawOf<Result> operator()(CppOf<Kinds>... arguments) const {
-    if constexpr (std::is_void_v<RawOf<Result>>) {
-      unrecorded(arguments...);
-      record(arguments...);
-    } else {
-      const auto result = unrecorded(arguments...);
-      record(arguments...);
-      return result;
-    }
+    // Decided before the call, so that without a trace there is nothing to keep across it.
+    if (shared->recorder) [[unlikely]]
+      return recorded(arguments...);
+    return unrecorded(arguments...);
   }
 
   /// The same without a trace: for what the core does on its own account.
@@ -107,6 +103,16 @@ class Function {
   const CallContext* shared = nullptr;
 
  private:
+  [[gnu::noinline, gnu::cold]] RawOf<Result> recorded(CppOf<Kinds>... arguments) const {
+    if constexpr (std::is_void_v<RawOf<Result>>) {
+      unrecorded(arguments...);
+      record(arguments...);
+    } else {
+      const auto result = unrecorded(arguments...);
+      record(arguments...);
+      return result;
+    }
+  }
   template <class Argument>
   void count_upload(const Argument& argument) const {
     if constexpr (std::is_same_v<Argument, CppOf<Bytes>>) shared->work.add_upload(argument.size());
