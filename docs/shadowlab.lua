@@ -2471,7 +2471,7 @@ function quat:length() end
 ---Programs, by file or by text.
 shader = {}
 
----The program of name.vert, name.frag and, where there is one, name.geom: beside the recipe, else shadowlab's own.
+---The program of name.vert, name.frag and, where there is one, name.geom: beside the recipe, else shadowlab's own. A line #include "file" stands for that file's text.
 ---
 ---`shader.load(name) -> shader`
 ---@return shader
@@ -2605,6 +2605,59 @@ function shadow.bias_matrix() end
 ---`shadow.infinite_perspective(fovy, aspect, near) -> mat4`
 ---@return mat4
 function shadow.infinite_perspective(fovy, aspect, near) end
+
+---The light's view and projection for a shadow map, fitted to the casters that can shadow what the camera sees (or, fit = "scene", anything), and to those shadows alone: what is outside of the map or behind the light is lit. Orthographic for a light at infinity. Refused where a point light is among its casters, so that one frustum cannot hold them.
+---
+---`shadow.light_view(light, scene, {fit = "view"|"scene", casters = {object, …}}) -> view, projection, near, far`
+---@return any
+---@return any
+---@return any
+---@return any
+function shadow.light_view(light, scene, values) end
+
+---The least bias without acne for a map of size × size texels drawn with this projection and read by a filter so many texels wide (1 unless given): factor and units for gl.PolygonOffset, or normal_offset · sin θ along the receiver's normal, θ being the angle from normal to light, and texel the side of a texel; both in metres, under a perspective for each metre along its axis.
+---
+---`shadow.map_bias(projection, size, filter) -> {factor, units, normal_offset, texel}`
+---@return table
+function shadow.map_bias(projection, size, filter) end
+
+---Six views of 90 degrees from a point light, in the order and with the axes of gl.TEXTURE_CUBE_MAP_POSITIVE_X, …
+---
+---`shadow.cube_faces(light, near, far) -> { {view = , projection = }, … }`
+---@return table
+function shadow.cube_faces(light, near, far) end
+
+---The near and far of cube faces: before the nearest caster, behind the farthest receiver.
+---
+---`shadow.cube_range(light, scene, {fit = }) -> near, far`
+---@return any
+---@return any
+function shadow.cube_range(light, scene, values) end
+
+---For each of the six faces, whether it can hold a shadow that the camera sees.
+---
+---`shadow.faces_needed(light, scene, {fit = }) -> {boolean, …}`
+---@return table
+function shadow.faces_needed(light, scene, values) end
+
+---The n + 1 distances at which a view is split: lambda · near · (far/near)^(i/n) + (1 - lambda) · (near + (far - near) · i/n).
+---
+---`shadow.split_distances(near, far, n, lambda) -> {near, …, far}`
+---@return table
+function shadow.split_distances(near, far, n, lambda) end
+
+---The least and the greatest distance along the view at which the camera sees anything.
+---
+---`shadow.depth_present(camera) -> near, far`
+---@return any
+---@return any
+function shadow.depth_present(camera) end
+
+---n maps for the camera's view: where each part of it begins and ends, and the light's view of it. Stable ones do not swim as the camera moves; around = "camera" are concentric ones. Both move in whole texels of a map of size × size and take a light at infinity.
+---
+---`shadow.cascades(camera, light, n, {lambda = 0.5, stable = false, around = "parts"|"camera", size = 1024, near = , far = }) -> { {near = , far = , view = , projection = }, … }`
+---@return table
+function shadow.cascades(camera, light, n, values) end
 
 ---The shadow volume of a mesh, or of a scene's object (model may then be nil). The three edges are the lecture's stages: wrong, better, right. Draw it with a shader whose vertex stage extrudes, as shader.load "volume".
 ---

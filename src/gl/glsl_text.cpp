@@ -52,8 +52,13 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// The line number in "0:12(5): …" or "0(12) : …", and what follows it.
-std::optional<std::pair<int, std::string_view>> numbered(std::string_view line) {
+// Source string and line number in "0:12(5): …" or "0(12) : …", and what follows them.
+struct Numbered {
+  int source;
+  int line;
+  std::string_view text;
+};
+std::optional<Numbered> numbered(std::string_view line) {
   if (line.starts_with("ERROR: ")) line.remove_prefix(7);
   int source = 0, number = 0;
   const char* const end = line.data() + line.size();
@@ -66,26 +71,29 @@ std::optional<std::pair<int, std::string_view>> numbered(std::string_view line) 
   while (!rest.empty() && (rest.front() == ')' || rest.front() == ':' || rest.front() == ' ')) {
     rest.remove_prefix(1);
   }
-  return std::pair(number, rest);
+  return Numbered{source, number, rest};
 }
 
 }  // namespace
 
-std::string first_shader_error(std::string_view log, std::string_view source_name) {
+std::string first_shader_error(std::string_view log, std::string_view source_name,
+                               std::span<const std::string> included) {
   std::string_view rest = log;
-  std::optional<std::pair<int, std::string_view>> first;
+  std::optional<Numbered> first;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const auto line = numbered(trimmed(rest.substr(0, end)));
-    const bool is_error = line && line->second.find("warning") == std::string_view::npos;
+    const bool is_error = line && line->text.find("warning") == std::string_view::npos;
     if (is_error && !first) first = line;
     rest.remove_prefix(std::min(rest.size(), end + 1));
   }
-  const std::string where(source_name);
+  std::string where(source_name);
   if (!first) return where + ": " + std::string(trimmed(log));
-  std::string_view text = first->second;
+  if (first->source >= 1 && static_cast<std::size_t>(first->source) <= included.size())
+    where = included[static_cast<std::size_t>(first->source) - 1];
+  std::string_view text = first->text;
   if (text.starts_with("error: ")) text.remove_prefix(7);
-  return where + ":" + std::to_string(first->first) + ": " + std::string(text);
+  return where + ":" + std::to_string(first->line) + ": " + std::string(text);
 }
 
 std::vector<std::string> declared_uniforms(std::string_view glsl) {

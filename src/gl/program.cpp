@@ -47,7 +47,8 @@ std::unique_ptr<Guard> compile(const Functions& gl, GLenum stage, const StageSou
   GLint compiled = 0;
   gl.GetShaderiv.unrecorded(shader->name(), GL_COMPILE_STATUS, {&compiled, 1});
   if (!compiled)
-    throw InputError(first_shader_error(log_of(gl, shader->name(), false), source.name));
+    throw InputError(
+        first_shader_error(log_of(gl, shader->name(), false), source.name, source.included));
   return shader;
 }
 

@@ -17,6 +17,8 @@ namespace shadowlab::gl {
 struct StageSource {
   std::string name;
   std::string text;
+  /// What `text` includes: source string i + 1 of its #line directives is file i.
+  std::vector<std::string> included = {};
 };
 
 struct ProgramSource {
@@ -114,8 +116,10 @@ class ProgramCache {
 };
 
 /// The first error of a driver's log as "NAME:LINE: …", from the forms "0:12(5): error: …" (Mesa),
-/// "0(12) : error …" (NVIDIA) and "ERROR: 0:12: …" (others).
-std::string first_shader_error(std::string_view log, std::string_view source_name);
+/// "0(12) : error …" (NVIDIA) and "ERROR: 0:12: …" (others). Source strings beyond 0 are
+/// `included`.
+std::string first_shader_error(std::string_view log, std::string_view source_name,
+                               std::span<const std::string> included = {});
 
 /// The uniforms that a GLSL text declares, comments aside.
 std::vector<std::string> declared_uniforms(std::string_view glsl);

@@ -31,6 +31,26 @@ bool reserved(std::string_view name) {
   return name == "view" || name == "projection" || name == "model" || name == "light";
 }
 
+template <class T>
+bool append_value(lua_State* L, std::vector<double>& numbers) {
+  const T* value = test<T>(L, -1);
+  if (!value) return false;
+  const double* first = glm::value_ptr(*value);
+  numbers.insert(numbers.end(), first, first + sizeof(T) / sizeof(double));
+  return true;
+}
+
+// An element of an array: what is on top of the stack, as its numbers.
+bool append_numbers(lua_State* L, std::vector<double>& numbers) {
+  if (lua_type(L, -1) == LUA_TNUMBER) {
+    numbers.push_back(lua_tonumber(L, -1));
+    return true;
+  }
+  return append_value<glm::dvec2>(L, numbers) || append_value<glm::dvec3>(L, numbers) ||
+         append_value<glm::dvec4>(L, numbers) || append_value<glm::dmat3>(L, numbers) ||
+         append_value<glm::dmat4>(L, numbers);
+}
+
 void set_given(lua_State* L, gl::Shader& shader, int table) {
   lua_pushnil(L);
   while (lua_next(L, table)) {
@@ -79,11 +99,12 @@ void set_uniform(lua_State* L, gl::Shader& shader, std::string_view name, int in
     std::vector<double> numbers;
     const auto count = static_cast<lua_Integer>(std::min<std::size_t>(lua_rawlen(L, index), 4096));
     for (lua_Integer i = 1; i <= count; ++i) {
-      if (lua_rawgeti(L, index, i) != LUA_TNUMBER) {
+      lua_rawgeti(L, index, i);
+      if (!append_numbers(L, numbers)) {
         throw InputError(
-            fmt::format("uniform {} takes numbers; element {} is {}", name, i, describe(L, -1)));
+            fmt::format("uniform {} takes numbers, vectors or matrices; element {} is {}", name, i,
+                        describe(L, -1)));
       }
-      numbers.push_back(lua_tonumber(L, -1));
       lua_pop(L, 1);
     }
     shader.set(*uniform, numbers);

@@ -20,9 +20,46 @@ std::string whole_text(const std::filesystem::path& file) {
   return text;
 }
 
-gl::StageSource stage_file(const Stage& stage, const std::string& name) {
+// The file that a line #include "NAME" names; nothing for any other line.
+std::optional<std::string> included_file(std::string_view line) {
+  constexpr std::string_view word = "#include \"";
+  if (!line.starts_with(word)) return {};
+  line.remove_prefix(word.size());
+  return std::string(line.substr(0, line.find('"')));
+}
+
+struct NamedText {
+  std::string name, text;
+};
+
+NamedText read_stage(const Stage& stage, const std::string& name) {
   const auto file = find_file(stage, name);
   return {file.lexically_proximate(std::filesystem::current_path()).string(), whole_text(file)};
+}
+
+// A stage with its #includes put in, which GLSL itself has not; #line keeps the numbers of lines,
+// and source strings from 1 on are the included files. They include nothing themselves.
+gl::StageSource stage_file(const Stage& stage, const std::string& name) {
+  const NamedText own = read_stage(stage, name);
+  gl::StageSource source{own.name, {}, {}};
+  int number = 0;
+  for (std::string_view rest = own.text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end);
+    ++number;
+    if (const auto include = included_file(line)) {
+      const NamedText part = read_stage(stage, *include);
+      source.included.push_back(part.name);
+      source.text += fmt::format("#line 1 {}\n{}\n#line {} 0\n", source.included.size(), part.text,
+                                 number + 1);
+    } else {
+      source.text += line;
+    }
+    if (source.text.size() > most_source)
+      throw InputError(own.name + ": a shader's text is at most 1 MiB");
+  }
+  return source;
 }
 
 bool exists(const Stage& stage, const std::string& name) {
@@ -105,7 +142,7 @@ int set(lua_State* L) {
 constexpr Entry functions[] = {
     {"load", "shader.load(name) -> shader",
      "The program of name.vert, name.frag and, where there is one, name.geom: beside the recipe, "
-     "else shadowlab's own.",
+     "else shadowlab's own. A line #include \"file\" stands for that file's text.",
      guarded<load>},
     {"compile", "shader.compile{vertex = text, fragment = text, geometry = text} -> shader",
      "The program of these texts. Errors name the stage and the line within its text.",

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "lua/boxes.h"
+#include "lua/modules.h"
 #include "lua/truth_pool.h"
 #include "lua/volume_pool.h"
 #include "shadow/infinite_perspective.h"
@@ -109,6 +110,7 @@ void open_shadow(Stage& stage) {
   lua_State* L = stage.state.raw();
   lua_newtable(L);
   set_functions(L, functions);
+  set_functions(L, map_functions());
   set_functions(L, volume_functions());
   set_functions(L, extrusion_functions());
   set_functions(L, truth_functions());

@@ -32,6 +32,7 @@ std::vector<Module> all_modules() {
       {"mesh", "Triangles with positions, normals and texture coordinates.", mesh_functions()});
   modules.push_back({"scene", "The catalogue of scripts/scenes.", scene_functions()});
   modules.push_back({"shadow", "The subject, in double precision.", shadow_functions()});
+  modules.push_back({"shadow", "Shadow maps.", map_functions()});
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
   modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});
   modules.push_back({"shadow", "The exact visibility.", truth_functions()});

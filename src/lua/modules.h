@@ -40,6 +40,7 @@ std::span<const Entry> scene_methods();
 std::span<const Entry> object_methods();
 std::span<const Entry> camera_methods();
 std::span<const Entry> shadow_functions();
+std::span<const Entry> map_functions();
 std::span<const Entry> volume_functions();
 std::span<const Entry> volume_methods();
 std::span<const Entry> truth_functions();

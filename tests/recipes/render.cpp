@@ -42,6 +42,8 @@ void read_option(lua_State* L, const std::string& name, RenderOptions& options) 
     options.frames = static_cast<int>(luaL_checkinteger(L, value));
   } else if (name == "time") {
     options.time = lua::read<double>(L, value, "time");
+  } else if (name == "visibility") {
+    options.visibility = lua_toboolean(L, value);
   } else {
     throw InputError(fmt::format("render has no option {}", name));
   }
@@ -65,6 +67,7 @@ Frame render(gl::Graphics& graphics, const std::filesystem::path& file,
              const RenderOptions& options) {
   recipe::Options recipe_options;
   recipe_options.scene = options.scene;
+  if (options.visibility) recipe_options.shading = recipe::Options::Shading::visibility;
   graphics.context().make_current();
   recipe::Recipe recipe(graphics, file, recipe_options);
   for (const auto& [name, value] : options.settings) recipe.set(name, value);

@@ -6,8 +6,10 @@
 // A file registers tests: test("fact_it_establishes", function() … end). They have all that recipes
 // have (require looks beside the file, in the folder above it and in scripts/), and:
 //
-//   render(recipe, {size = {256, 256}, scene = , set = {light = "2,4,1"}, frames = 1, time = 0})
-//     the picture of a recipe: NAME.lua in scripts/ or beside the test
+//   render(recipe, {size = {256, 256}, scene = , set = {light = "2,4,1"}, frames = 1, time = 0,
+//                   visibility = false})
+//     the picture of a recipe: NAME.lua in scripts/ or beside the test; with visibility the stock
+//     shaders draw white where the light reaches and black where not
 //   frame(width, height, function(r) … end)
 //     the picture of a frame that the test draws itself, from GL's defaults, at most 512 × 512
 //   expect(condition, words)

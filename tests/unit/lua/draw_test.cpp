@@ -1,4 +1,7 @@
 // Shaders and draws from Lua: what reaches the shader, what is refused.
+#include <filesystem>
+#include <fstream>
+
 #include "gl_fixture.h"
 
 namespace shadowlab::lua {
@@ -30,6 +33,39 @@ TEST_F(Shaders, with_an_error_name_stage_and_line_of_their_text) {
   EXPECT_EQ(error("shader.load '../../etc/passwd'").find("there is no file"), 0u);
   EXPECT_EQ(error("shader.load '/etc/passwd'"),
             "a file is named relative to the recipe's folder; \"/etc/passwd.vert\" is not");
+}
+
+TEST_F(Shaders, include_files_and_name_the_file_and_line_that_is_wrong) {
+  const auto folder = std::filesystem::temp_directory_path() / "shadowlab_includes";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, std::string_view text) {
+    std::ofstream(folder / name) << text;
+  };
+  stage().folders.insert(stage().folders.begin(), folder);
+  write("part.glsl", "\nuniform float half_of = 0.5;\nout vec4 f;\n");
+  write("a.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n");
+  const std::string own = "#version 330 core\n#include \"part.glsl\"\nvoid main() { f = vec4(";
+  write("a.frag", own + "half_of); }\n");
+  run("shader.load('a'):set('half_of', 0.25)");
+  write("a.frag", own + "half_off); }");
+  EXPECT_NE(error("shader.load 'a'").find("a.frag:3: "), std::string::npos);
+  write("a.frag", own + "half_of); }\n");
+  write("part.glsl", "\nuniform float half_of = 0.5;\nout vec5 f;\n");
+  EXPECT_NE(error("shader.load 'a'").find("part.glsl:3: "), std::string::npos);
+  write("a.frag", "#version 330 core\n#include \"../../etc/passwd\"\n");
+  EXPECT_NE(error("shader.load 'a'").find("etc/passwd\""), std::string::npos);  // names it, no more
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(Draws, take_arrays_of_vectors_and_matrices) {
+  run(showing("uniform mat4 m[2]; uniform vec3 v[2];", "vec4(m[1][3].x, v[1].z, v[0].y, 1)") +
+      "mesh.quad():draw(s, { m = { mat4.identity(), mat4.translate(1, 0, 0) }, "
+      "v = { vec3(0, 1, 0), vec3(0, 0, 1) } })");
+  const image::Image picture = graphics().frame.read_color();
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(picture.rgba[i], 255);
+  EXPECT_EQ(error(showing("uniform float a[2];", "vec4(a[1])") +
+                  "mesh.quad():draw(s, { a = { 1, 'x' } })"),
+            "uniform a takes numbers, vectors or matrices; element 2 is a string");
 }
 
 TEST_F(Draws, refuse_uniforms_that_no_stage_declares_and_ignore_dropped_ones) {
