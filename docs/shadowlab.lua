@@ -2661,7 +2661,7 @@ function shadow.cascades(camera, light, n, values) end
 
 ---The shadow volume of a mesh, or of a scene's object (model may then be nil). The three edges are the lecture's stages: wrong, better, right. Draw it with a shader whose vertex stage extrudes, as shader.load "volume".
 ---
----`shadow.volume(mesh, model, light, {edges = "all"|"lit"|"silhouette", caps = true, extrude = "infinite"|distance}) -> volume`
+---`shadow.volume(mesh, model, light, {edges = "all"|"lit"|"silhouette", caps = true, extrude = "infinite"|distance, part = }) -> volume`
 ---@return volume
 function shadow.volume(mesh, model, light, values) end
 
@@ -2671,11 +2671,11 @@ function shadow.volume(mesh, model, light, values) end
 ---@return boolean
 function shadow.needs_zfail(camera, light, object) end
 
----An upper bound of how often the caster's volume holds one point: 1 for a convex one. Eight stencil bits count to 255.
+---The parts in which to draw the caster's volume, for each an upper bound, at most 127, of how often it holds one point: as far as 7 bits of the stencil count. One for most casters; shadow.volume's option part takes its number.
 ---
----`shadow.layers(object or mesh) -> integer`
----@return integer
-function shadow.layers(object) end
+---`shadow.parts(mesh, model, light) -> { layers, … }`
+---@return table
+function shadow.parts(mesh, model, light) end
 
 ---The edge graph with vertices welded by position: next[i][k] is the triangle across the k-th edge of triangle i, 0 for none; counted from 1.
 ---

@@ -24,7 +24,7 @@ function recipe.draw(r)
   local view = camera:view()
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
-  local batches = batches_of(scene.casters)
+  local batches = batches_of(scene.casters, light)
   local volumes
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
@@ -43,17 +43,17 @@ function recipe.draw(r)
 
     pass("2. sides turned from the light are in their own shadow" .. group, function()
       volumes = {}
-      for k, caster in ipairs(batch) do
-        local caps = shadow.needs_zfail(camera, light, caster)
-        volumes[k] = shadow.volume(caster, nil, light, { caps = caps })
+      for k, drawn in ipairs(batch) do
+        drawn.zfail = shadow.needs_zfail(camera, light, drawn.caster)
+        volumes[k] = shadow.volume(drawn.caster, nil, light, { caps = drawn.zfail, part = drawn.part })
       end
       own_shadow(volumes, r.volume, seen)
     end)
 
     pass("3. volumes by z-fail where the near plane may be in shadow, else by z-pass" .. group, function()
       gl.StencilFunc(gl.ALWAYS, 0, 0)
-      for k, caster in ipairs(batch) do
-        if shadow.needs_zfail(camera, light, caster) then
+      for k, drawn in ipairs(batch) do
+        if drawn.zfail then
           gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
           gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
           volumes[k]:draw(r.volume, seen)

@@ -1,6 +1,8 @@
 -- One draw of the volumes where z-pass takes two: the stencil has an operation for each side of a face.
 -- Counted as in z-pass, from the near plane on, so it is right only while no part of the near
--- plane is in shadow itself: `holds` says whether, and the recipe prints it when it is not.
+-- plane is in shadow itself, and no more volumes than 7 bits count hold a point: `holds` says whether,
+-- and the recipe prints it when it is not.
+local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
 
 local recipe = {
@@ -18,7 +20,12 @@ end
 
 function recipe.holds(r)
   for _, caster in ipairs(r.scene.casters) do
-    if shadow.needs_zfail(r.scene.camera, r.params.light, caster) then return false end
+    if shadow.needs_zfail(r.scene.camera, r.params.light, caster) then
+      return false, "a caster may shadow the near plane from here, and all counts are off by that"
+    end
+  end
+  if #batches_of(r.scene.casters, r.params.light) > 1 then
+    return false, "more volumes may hold a point than 7 bits of the stencil count"
   end
   return true
 end
@@ -32,9 +39,8 @@ function recipe.draw(r)
   for k, caster in ipairs(scene.casters) do
     volumes[k] = shadow.volume(caster, nil, light, { caps = false })
   end
-  if not recipe.holds(r) then
-    print("z-pass: a caster may shadow the near plane from here, and the count is then wrong; volumes_zfail is right")
-  end
+  local holds, why = recipe.holds(r)
+  if not holds then print("z-pass: " .. why .. "; volumes_zfail is right") end
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)

@@ -24,7 +24,7 @@ function recipe.draw(r)
   local view = camera:view()
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
-  local batches = batches_of(scene.casters)
+  local batches = batches_of(scene.casters, light)
   local volumes
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
@@ -43,7 +43,9 @@ function recipe.draw(r)
 
     pass("2. sides turned from the light are in their own shadow" .. group, function()
       volumes = {}
-      for k, caster in ipairs(batch) do volumes[k] = shadow.volume(caster, nil, light) end
+      for k, drawn in ipairs(batch) do
+        volumes[k] = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
+      end
       own_shadow(volumes, r.volume, seen)
     end)
 

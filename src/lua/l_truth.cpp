@@ -89,7 +89,7 @@ const truth::Tracer& TruthPool::tracer(const SceneBox& scene) {
 }
 
 void TruthPool::fill(Texture& entry) {
-  const int width = graphics_.width(), height = graphics_.height();
+  const int width = entry.size.x, height = entry.size.y;
   const auto scene = entry.scene.lock();
   const image::FloatImage visibility =
       tracer(scene).visibility(entry.camera, entry.light, width, height, entry.sampling);
@@ -101,8 +101,8 @@ void TruthPool::fill(Texture& entry) {
                 rows.begin() +
                     static_cast<std::ptrdiff_t>((static_cast<std::size_t>(height) - 1 - y) * row));
   }
-  const gl::Functions& gl = graphics_.gl;
-  const gl::Untraced untraced(graphics_.calls());
+  const gl::Functions& gl = stage_.graphics.gl;
+  const gl::Untraced untraced(stage_.graphics.calls());
   GLint bound = 0;
   gl.GetIntegerv(GL_TEXTURE_BINDING_2D, {&bound, 1});
   gl.BindTexture(GL_TEXTURE_2D, entry.name);
@@ -119,20 +119,22 @@ void TruthPool::push(lua_State* L, const SceneBox& scene, const scene::Camera& c
   if (used_ == textures_.size()) {
     Texture entry;
     std::array<GLuint, 1> name{};
-    graphics_.gl.GenTextures.unrecorded(1, name);
+    stage_.graphics.gl.GenTextures.unrecorded(1, name);
     entry.name = name[0];
-    push_object(Stage::of(L), L, gl::ObjectType::texture, name[0]);
+    push_object(stage_, L, gl::ObjectType::texture, name[0]);
     entry.value = luaL_ref(L, LUA_REGISTRYINDEX);
     textures_.push_back(entry);
   }
   Texture& entry = textures_[used_++];
   const bool known = entry.filled && entry.scene.lock() == scene && same(entry.camera, camera) &&
-                     same(entry.light, light) && same(entry.sampling, sampling);
+                     same(entry.light, light) && same(entry.sampling, sampling) &&
+                     entry.size == stage_.picture_size();
   if (!known) {
     entry.scene = scene;
     entry.camera = camera;
     entry.light = light;
     entry.sampling = sampling;
+    entry.size = stage_.picture_size();
     fill(entry);
   }
   lua_rawgeti(L, LUA_REGISTRYINDEX, entry.value);
@@ -140,6 +142,6 @@ void TruthPool::push(lua_State* L, const SceneBox& scene, const scene::Camera& c
 
 std::span<const Entry> truth_functions() { return functions; }
 
-void open_truth(Stage& stage) { stage.truths = std::make_shared<TruthPool>(stage.graphics); }
+void open_truth(Stage& stage) { stage.truths = std::make_shared<TruthPool>(stage); }
 
 }  // namespace shadowlab::lua

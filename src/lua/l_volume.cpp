@@ -1,6 +1,9 @@
 // shadow.volume and what belongs to it: adjacency, silhouettes, z-pass or z-fail.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lua/boxes.h"
 #include "lua/volume_pool.h"
 #include "shadow/silhouette.h"
@@ -39,6 +42,7 @@ struct Options {
   bool lecture = false;  // by the lecture's loop over faces
   shadow::Caps caps = shadow::Caps::both;
   double extrusion = shadow::infinite;
+  std::size_t part = 0;  // counted from 1; 0: all
 };
 
 Options read_options(lua_State* L, int index) {
@@ -49,7 +53,7 @@ Options read_options(lua_State* L, int index) {
         "shadow.volume's options are a table, as { edges = \"silhouette\", caps = true }; it is " +
         describe(L, index));
   }
-  static constexpr std::string_view names[] = {"edges", "caps", "extrude"};
+  static constexpr std::string_view names[] = {"edges", "caps", "extrude", "part"};
   lua_pushnil(L);
   while (lua_next(L, index)) {
     const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
@@ -67,6 +71,12 @@ Options read_options(lua_State* L, int index) {
       if (text != "infinite") options.extrusion = read<double>(L, -1, "extrude");
       if (!(options.extrusion > 0))
         throw InputError("shadow.volume: extrude is \"infinite\" or a distance over 0");
+    } else if (key == "part") {
+      const double part = read<double>(L, -1, "part");
+      if (!(part >= 1) || part != std::floor(part) || part > 1e9)
+        throw InputError(
+            "shadow.volume: part is a number from 1, of those that shadow.parts lists");
+      options.part = static_cast<std::size_t>(part);
     } else {
       throw InputError(
           fmt::format("shadow.volume has no option {}{}", key, did_you_mean(key, names)));
@@ -103,15 +113,18 @@ void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& opt
 // The triangles of which the camera sees the side that is turned from the light, as they are in the
 // mesh: so they have the very depths that the scene has drawn. Both facings are exact.
 std::vector<std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& view) {
-  const auto& triangles = volume.source->adjacency.triangles;
+  const shadow::FacingPlanes& faces = volume.source->builder.facing();
   const glm::dvec4 eye = shadow::light_in_model_space(volume.model, glm::inverse(view)[3]);
-  std::vector<std::int8_t> toward_light(triangles.size()), toward_eye(triangles.size());
-  volume.source->facing.signs(volume.light, 0, toward_light);
-  volume.source->facing.signs(eye, 0, toward_eye);
+  const std::size_t first = volume.triangles.first;
+  const std::size_t last = std::min(volume.triangles.last, faces.triangles().size());
+  std::vector<std::int8_t> toward_light(last - first), toward_eye(last - first);
+  faces.signs(volume.light, first, toward_light);
+  faces.signs(eye, first, toward_eye);
   std::vector<std::uint32_t> indices;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto& [a, b, c] = triangles[i];
-    if (toward_light[i] * toward_eye[i] < 0) indices.insert(indices.end(), {2 * a, 2 * b, 2 * c});
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& [a, b, c] = faces.triangles()[i];
+    if (toward_light[i - first] * toward_eye[i - first] < 0)
+      indices.insert(indices.end(), {2 * a, 2 * b, 2 * c});
   }
   return indices;
 }
@@ -131,6 +144,22 @@ std::string what_was_built(const std::string& caster, const Volume& volume,
       volume.extrusion > 0 ? fmt::format("by {:g} m", volume.extrusion) : "to infinity", caps);
 }
 
+shadow::TriangleRange part_of(Volume& volume, std::size_t part) {
+  if (part == 0) return {};
+  const auto parts = volume.source->layers.parts(volume.light);
+  if (part > parts.size()) {
+    throw InputError(
+        fmt::format("shadow.volume: there is no part {}; for this light there {}", part,
+                    parts.size() == 1 ? "is one" : fmt::format("are {}", parts.size())));
+  }
+  return parts[part - 1].triangles;
+}
+
+// The very floats that the shader extrudes from, so that its sides and these decisions agree.
+glm::dvec4 light_as_drawn(const glm::dmat4& model, const scene::Light& light) {
+  return glm::dvec4(glm::vec4(shadow::light_in_model_space(model, light.position)));
+}
+
 int build(lua_State* L) {
   const MeshBox mesh = caster_mesh(L, 1, "volume");
   const glm::dmat4 model = caster_model(L, 2, "volume");
@@ -140,9 +169,9 @@ int build(lua_State* L) {
   stage.state.check_budget(mesh->indices.size());
   VolumeBox& volume = stage.volumes->next(mesh);
   volume->model = model;
-  // The very floats that the shader extrudes from, so that its sides and these decisions agree.
-  volume->light = glm::dvec4(glm::vec4(shadow::light_in_model_space(model, light.position)));
+  volume->light = light_as_drawn(model, light);
   volume->extrusion = std::isinf(options.extrusion) ? 0 : options.extrusion;
+  volume->triangles = options.lecture ? shadow::TriangleRange{} : part_of(*volume, options.part);
   if (options.lecture) {
     build_by_lecture(stage.graphics, *volume, options);
   } else {
@@ -151,6 +180,7 @@ int build(lua_State* L) {
     how.reach = volume->extrusion > 0 ? shadow::Reach::finite : shadow::Reach::infinite;
     how.handedness = glm::determinant(glm::dmat3(model)) < 0 ? shadow::Handedness::mirrored
                                                              : shadow::Handedness::kept;
+    how.triangles = volume->triangles;
     const auto indices = volume->source->builder.build(volume->light, how);
     volume->buffers->upload(indices.all);
     volume->drawn = volume->buffers.get();
@@ -187,8 +217,11 @@ int draw_sides(lua_State* L) {
 
 int draw_unlit(lua_State* L) {
   VolumeBox& volume = read_box<VolumeBox>(L, 1, "volume:draw_unlit: self");
-  if (!volume->unlit_buffers)
-    volume->unlit_buffers = over_adjacency(Stage::of(L).graphics, *volume->source);
+  if (!volume->unlit_buffers) {
+    gl::Graphics& graphics = Stage::of(L).graphics;
+    volume->unlit_buffers = std::make_unique<gl::VolumeBuffers>(graphics.gl, graphics.calls(),
+                                                                volume->source->vertices);
+  }
   glm::dmat4 view(1);
   if (lua_type(L, 3) == LUA_TTABLE) {
     if (lua_getfield(L, 3, "view") != LUA_TNIL) view = read<glm::dmat4>(L, -1, "view");
@@ -233,9 +266,18 @@ int needs_zfail(lua_State* L) {
   return 1;
 }
 
-int layers(lua_State* L) {
-  const MeshBox mesh = caster_mesh(L, 1, "layers");
-  lua_pushinteger(L, static_cast<lua_Integer>(Stage::of(L).volumes->source(mesh)->layers));
+int parts(lua_State* L) {
+  const MeshBox mesh = caster_mesh(L, 1, "parts");
+  const glm::dmat4 model = caster_model(L, 2, "parts");
+  const auto light = read_light(L, 3, "argument 3 of shadow.parts (the light)");
+  Stage& stage = Stage::of(L);
+  stage.state.check_budget(mesh->indices.size());
+  const auto found = stage.volumes->source(mesh)->layers.parts(light_as_drawn(model, light));
+  lua_createtable(L, static_cast<int>(found.size()), 0);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    lua_pushinteger(L, static_cast<lua_Integer>(found[i].layers));
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
   return 1;
 }
 
@@ -296,7 +338,7 @@ int silhouette(lua_State* L) {
 constexpr Entry functions[] = {
     {"volume",
      "shadow.volume(mesh, model, light, {edges = \"all\"|\"lit\"|\"silhouette\", caps = true, "
-     "extrude = \"infinite\"|distance}) -> volume",
+     "extrude = \"infinite\"|distance, part = }) -> volume",
      "The shadow volume of a mesh, or of a scene's object (model may then be nil). The three edges "
      "are the lecture's stages: wrong, better, right. Draw it with a shader whose vertex stage "
      "extrudes, as shader.load \"volume\".",
@@ -305,10 +347,11 @@ constexpr Entry functions[] = {
      "shadow.needs_zfail(camera, light, object) or (camera, light, mesh, model) -> boolean",
      "Whether z-pass would be wrong for this caster: it may shadow part of the near plane.",
      guarded<needs_zfail>},
-    {"layers", "shadow.layers(object or mesh) -> integer",
-     "An upper bound of how often the caster's volume holds one point: 1 for a convex one. Eight "
-     "stencil bits count to 255.",
-     guarded<layers>},
+    {"parts", "shadow.parts(mesh, model, light) -> { layers, … }",
+     "The parts in which to draw the caster's volume, for each an upper bound, at most 127, of how "
+     "often it holds one point: as far as 7 bits of the stencil count. One for most casters; "
+     "shadow.volume's option part takes its number.",
+     guarded<parts>},
     {"adjacency", "shadow.adjacency(mesh) -> { positions, triangles, next }",
      "The edge graph with vertices welded by position: next[i][k] is the triangle across the k-th "
      "edge of triangle i, 0 for none; counted from 1.",

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,9 +54,15 @@ struct Stage {
   std::vector<Explanation> explanations = {};
   std::size_t explained_in_setup = 0;  ///< the first ones, which every frame has
   void explain(std::string text);
+  /// The picture, where it is not all of the main frame but its lower left corner: pixels.
+  std::optional<glm::ivec2> corner = std::nullopt;
+  glm::ivec2 picture_size() const {
+    return corner.value_or(glm::ivec2(graphics.width(), graphics.height()));
+  }
   /// Picture width over height, which mesh and scene functions need for projections.
   double aspect() const {
-    return static_cast<double>(graphics.width()) / static_cast<double>(graphics.height());
+    const glm::ivec2 size = picture_size();
+    return static_cast<double>(size.x) / static_cast<double>(size.y);
   }
 
   static Stage& of(lua_State* L);

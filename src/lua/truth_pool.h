@@ -11,11 +11,11 @@ namespace shadowlab::lua {
 
 class TruthPool {
  public:
-  explicit TruthPool(gl::Graphics& graphics) : graphics_(graphics) {}
+  explicit TruthPool(Stage& stage) : stage_(stage) {}
 
   void begin_frame() { used_ = 0; }
 
-  /// Pushes the texture (R32F, of the main frame's size, visibility in red) for the frame's next
+  /// Pushes the texture (R32F, of the picture's size, visibility in red) for the frame's next
   /// question.
   void push(lua_State* L, const SceneBox& scene, const scene::Camera& camera,
             const scene::Light& light, const truth::Sampling& sampling);
@@ -26,6 +26,7 @@ class TruthPool {
     scene::Camera camera;
     scene::Light light;
     truth::Sampling sampling;
+    glm::ivec2 size{0};
     int value = LUA_NOREF;  ///< the Lua value, in the registry
     GLuint name = 0;
     bool filled = false;
@@ -33,7 +34,7 @@ class TruthPool {
   void fill(Texture& texture);
   const truth::Tracer& tracer(const SceneBox& scene);
 
-  gl::Graphics& graphics_;
+  Stage& stage_;
   std::vector<Texture> textures_;
   std::size_t used_ = 0;
   std::weak_ptr<scene::Scene> traced_;

@@ -1,15 +1,13 @@
 #include "lua/volume_pool.h"
 
-#include "shadow/layers.h"
-
 namespace shadowlab::lua {
 
 VolumeSource::VolumeSource(gl::Graphics& graphics, const scene::Mesh& mesh)
     : adjacency(scene::adjacency(mesh)),
       next(scene::next(adjacency)),
-      layers(shadow::layers(adjacency)),
       facing(adjacency.positions, adjacency.triangles),
       builder(adjacency),
+      layers(builder),
       vertices(std::make_shared<gl::VolumeVertices>(graphics.gl, graphics.calls(),
                                                     builder.vertices())) {}
 

@@ -16,6 +16,7 @@
 #include "scene/adjacency.h"
 #include "shadow/extrusion.h"
 #include "shadow/facing.h"
+#include "shadow/layers.h"
 #include "shadow/volume.h"
 
 namespace shadowlab::lua {
@@ -26,9 +27,9 @@ struct VolumeSource {
 
   scene::Adjacency adjacency;
   std::vector<std::array<std::int32_t, 3>> next;
-  std::size_t layers;  ///< see shadow::layers
   shadow::FacingPlanes facing;
   shadow::VolumeBuilder builder;
+  shadow::Layers layers;
   std::shared_ptr<gl::VolumeVertices> vertices;  ///< the builder's
   /// The adjacency's vertices, doubled; made when asked for.
   std::shared_ptr<gl::VolumeVertices> adjacency_vertices;
@@ -56,13 +57,14 @@ struct Volume {
   std::shared_ptr<VolumeSource> source;
   std::unique_ptr<gl::VolumeBuffers> buffers;          ///< over source->vertices
   std::unique_ptr<gl::VolumeBuffers> lecture_buffers;  ///< over source->adjacency_vertices
-  std::unique_ptr<gl::VolumeBuffers> unlit_buffers;    ///< the same
+  std::unique_ptr<gl::VolumeBuffers> unlit_buffers;    ///< over source->vertices
   const gl::VolumeBuffers* drawn = nullptr;
   std::size_t sides = 0;  ///< indices of the sides, the first
   std::size_t all = 0;
   glm::dmat4 model{1};
-  glm::dvec4 light{0};   ///< model space, of floats
-  double extrusion = 0;  ///< metres; 0: to infinity
+  glm::dvec4 light{0};              ///< model space, of floats
+  shadow::TriangleRange triangles;  ///< the part's
+  double extrusion = 0;             ///< metres; 0: to infinity
 };
 using VolumeBox = std::shared_ptr<Volume>;
 

@@ -52,11 +52,19 @@ enum class Faces { automatic, turned };
 /// the triangles are then turned, so that they are counter-clockwise from outside after it.
 enum class Handedness { kept, mirrored };
 
+/// Triangles [first, last) in a builder's order.
+struct TriangleRange {
+  std::size_t first = 0;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  std::size_t count() const { return last - first; }
+};
+
 struct VolumeOptions {
   Caps caps = Caps::both;
   Reach reach = Reach::infinite;
   Faces faces = Faces::automatic;
   Handedness handedness = Handedness::kept;
+  TriangleRange triangles{};  ///< those that count: the volumes of parts add up to the whole one
 };
 
 /// Triangles, counter-clockwise seen from outside the volume, as indices into
@@ -85,19 +93,28 @@ class VolumeBuilder {
   /// that is the light itself, whose direction would be 0.
   VolumeIndices build(glm::dvec4 light, const VolumeOptions& options = {});
 
+  /// The coefficient c of each triangle, by the rules above. Valid until the next `chain` or
+  /// `build`.
+  std::span<const std::int8_t> chain(glm::dvec4 light, Faces faces = Faces::automatic);
+
   std::size_t triangle_count() const { return planes_.triangles().size(); }
+  /// Triangles in the builder's order, those of inside-out components turned round, of the vertices
+  /// of which vertex i is `vertices()[2 * i]`.
+  const FacingPlanes& facing() const { return planes_; }
+
+  struct ClosedComponent {
+    TriangleRange triangles;
+    Component component;
+  };
+  /// The first triangles of all, in order.
+  std::span<const ClosedComponent> closed_components() const { return closed_; }
   /// Edges that `build` looks up one by one, for benchmarks.
   std::size_t indexed_edge_count() const { return edge_triangles_.size() + knot_vertices_.size(); }
 
  private:
   using Index = std::uint32_t;
-  struct ClosedRange {
-    std::size_t first, last;  // triangles
-    Component component;
-  };
   void collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                      std::span<const std::uint8_t> turned);
-  void fill_chain(glm::dvec4 light, Faces faces);
   std::span<const Index> boundary_of_runs();
   std::span<const Index> boundary_of_edges();
   template <bool quads>
@@ -107,7 +124,7 @@ class VolumeBuilder {
   // Triangles of closed components first, each component's together and turned outward. What has
   // one entry a triangle is filled up with zeros, so that it can be read eight at a time.
   FacingPlanes planes_;
-  std::vector<ClosedRange> closed_;
+  std::vector<ClosedComponent> closed_;
   std::vector<glm::vec4> vertices_;
   std::vector<scene::Triangle> front_, back_;  // caps of c = 1, as indices into vertices_
   // The edge between each triangle and the next, whose boundary is c - next c, where there is one

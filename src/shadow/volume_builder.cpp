@@ -105,7 +105,7 @@ VolumeBuilder::VolumeBuilder(const scene::Adjacency& mesh) : planes_({}, {}) {
   Arrangement arrangement = arranged(mesh, parts);
   for (std::size_t i = 0; i < arrangement.order.size(); ++i) {
     const Component& part = parts[arrangement.order[i]];
-    if (part.closed) closed_.push_back({arrangement.begin[i], arrangement.begin[i + 1], part});
+    if (part.closed) closed_.push_back({{arrangement.begin[i], arrangement.begin[i + 1]}, part});
   }
   vertices_.reserve(mesh.positions.size() * 2);
   for (const glm::vec3& p : mesh.positions) {
@@ -162,7 +162,8 @@ void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const 
   knot_begin_.push_back(static_cast<Index>(knot_incidences_.size()));
 }
 
-void VolumeBuilder::fill_chain(glm::dvec4 light, Faces faces) {
+std::span<const std::int8_t> VolumeBuilder::chain(glm::dvec4 light, Faces faces) {
+  light = normalized_light(light);
   const std::span<std::int8_t> chain(chain_.data(), triangle_count());
   // Neighbours that are ruled alike are decided together.
   std::size_t begin = 0;
@@ -172,15 +173,16 @@ void VolumeBuilder::fill_chain(glm::dvec4 light, Faces faces) {
     lit ? planes_.lit(light, begin, part) : planes_.signs(light, begin, part);
     begin = end;
   };
-  for (const ClosedRange& range : closed_) {
-    const bool suffices = faces == Faces::automatic && range.component.lit_faces_suffice(light);
-    if (suffices != lit) decide_until(range.first);
+  for (const auto& [triangles, component] : closed_) {
+    const bool suffices = faces == Faces::automatic && component.lit_faces_suffice(light);
+    if (suffices != lit) decide_until(triangles.first);
     lit = suffices;
   }
-  const std::size_t closed_end = closed_.empty() ? 0 : closed_.back().last;
+  const std::size_t closed_end = closed_.empty() ? 0 : closed_.back().triangles.last;
   if (lit) decide_until(closed_end);
   lit = false;
   decide_until(chain.size());
+  return chain;
 }
 
 std::span<const std::uint32_t> VolumeBuilder::boundary_of_runs() {
@@ -263,7 +265,9 @@ std::uint32_t* VolumeBuilder::append_cap(Index* out, std::span<const scene::Tria
 
 VolumeIndices VolumeBuilder::build(glm::dvec4 light, const VolumeOptions& options) {
   light = normalized_light(light);
-  fill_chain(light, options.faces);
+  const std::size_t count = chain(light, options.faces).size();
+  std::fill_n(chain_.begin(), std::min(options.triangles.first, count), std::int8_t{0});
+  for (std::size_t t = options.triangles.last; t < count; ++t) chain_[t] = 0;
   const bool one_point = light.w == 0 && options.reach == Reach::infinite;
   Index* const begin = indices_.get();
   Index* const front = one_point ? append_sides<false>(begin) : append_sides<true>(begin);

@@ -177,7 +177,8 @@ int TestFile::draw_frame(lua_State* L) {
   self.width_ = static_cast<int>(width);
   self.height_ = static_cast<int>(height);
   self.frame_.clear();
-  self.graphics_.begin_frame();
+  self.stage_.corner = {self.width_, self.height_};
+  lua::begin_frame(self.stage_);
   self.graphics_.gl.Viewport(0, 0, self.width_, self.height_);
   struct Drawing {
     bool& on;

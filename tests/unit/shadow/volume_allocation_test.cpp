@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "casters.h"
+#include "shadow/layers.h"
 #include "shadow/volume.h"
 
 namespace {
@@ -39,6 +40,24 @@ TEST(VolumeBuilder, allocates_nothing_when_the_light_moves) {
       indices += builder.build(light, {.faces = Faces::turned}).all.size();
     }
     EXPECT_GT(indices, 0u);
+    EXPECT_EQ(allocations - before, 0u) << caster.name;
+  }
+}
+
+TEST(Layers, allocate_nothing_for_a_light_that_comes_back) {
+  for (const Caster& caster : casters()) {
+    VolumeBuilder builder(caster.mesh);
+    Layers layers(builder);
+    const auto round = [&] {
+      std::size_t parts = 0;
+      for (int frame = 0; frame < 50; ++frame) {
+        parts += layers.parts({std::cos(frame), frame % 7, std::sin(frame), frame % 3}, 8).size();
+      }
+      return parts;
+    };
+    const std::size_t parts = round();
+    const std::size_t before = allocations;
+    EXPECT_EQ(round(), parts);
     EXPECT_EQ(allocations - before, 0u) << caster.name;
   }
 }

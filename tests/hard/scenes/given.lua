@@ -1,0 +1,2 @@
+-- The scene that a test has made: see tests/given.lua.
+return require("given").world
