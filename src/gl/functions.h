@@ -42,6 +42,13 @@ constexpr bool sets_uniform(FunctionId id) {
   return id >= FunctionId::Uniform1f && id <= FunctionId::UniformMatrix4fv;
 }
 
+/// Told of every draw before it is made: `draw` makes it, under the state of that moment.
+class DrawObserver {
+ public:
+  virtual ~DrawObserver() = default;
+  virtual void before_draw(const std::function<void()>& draw) = 0;
+};
+
 /// What every function of a table shares.
 struct CallContext {
   const context::Context* context = nullptr;
@@ -50,6 +57,7 @@ struct CallContext {
   /// How often a recipe set uniforms of the current program by itself: what the core knows of their
   /// values is then out of date.
   std::uint64_t foreign_uniforms = 0;
+  DrawObserver* draws = nullptr;
   mutable Work work{};  ///< counted by calls through a table that otherwise only reads this
 };
 
@@ -85,7 +93,13 @@ class Function {
 
   /// The same without a trace: for what the core does on its own account.
   RawOf<Result> unrecorded(CppOf<Kinds>... arguments) const {
-    if constexpr (draws(Id)) count_draw(arguments...);
+    if constexpr (draws(Id)) {
+      count_draw(arguments...);
+      if (shared->draws) [[unlikely]] {
+        shared->draws->before_draw(
+            [&] { pointer(Traits<Kinds>::lower(arguments, shared->main_frame)...); });
+      }
+    }
     if constexpr ((std::is_same_v<Kinds, Bytes> || ...)) (count_upload(arguments), ...);
     return pointer(Traits<Kinds>::lower(arguments, shared->main_frame)...);
   }
