@@ -63,9 +63,10 @@ class Comparer {
       throw InputError(fmt::format(
           "{} is not held against a truth; a recipe says so by truth = \"hard\"", file.string()));
     }
-    if (truth != "hard" && truth != "hard on receivers") {
-      throw InputError(fmt::format("{}: truth is \"hard\" or \"hard on receivers\", not \"{}\"",
-                                   file.string(), truth));
+    if (truth != "hard" && truth != "hard on receivers" && truth != "soft") {
+      throw InputError(
+          fmt::format("{}: truth is \"hard\", \"hard on receivers\" or \"soft\", not \"{}\"",
+                      file.string(), truth));
     }
     on_receivers_ = truth.ends_with("on receivers");
     for (const auto& [name, value] : options.settings) recipe_.set(name, value);
@@ -73,6 +74,7 @@ class Comparer {
     own_light_ = recipe_.light();
     scene_ = *recipe_.scene();
     tracer_.emplace(scene_);
+    if (truth == "soft") radius_ = radius_of(recipe_, file);
   }
 
   const recipe::Recipe& recipe() const { return recipe_; }
@@ -87,9 +89,17 @@ class Comparer {
     const int width = graphics_.width(), height = graphics_.height();
     scene::Light light;
     light.position = view.light;
-    Pictures pictures{visibility_of(graphics_.frame.read_color()),
-                      tracer_->visibility(view.camera, light, width, height),
-                      tracer_->edge_mask(view.camera, light, width, height, options_.per_pixel), 0};
+    Pictures pictures{visibility_of(graphics_.frame.read_color()), {}, {}, 0};
+    if (radius_) {
+      light.shape = scene::Light::Shape::sphere;
+      light.radius = *radius_;
+      // All of a penumbra is an edge: what tells is the RMSE.
+      pictures.edges = pictures.technique;
+      std::ranges::fill(pictures.edges.values, 1.0f);
+    } else {
+      pictures.edges = tracer_->edge_mask(view.camera, light, width, height, options_.per_pixel);
+    }
+    pictures.truth = tracer_->visibility(view.camera, light, width, height);
     const auto surfaces = tracer_->surfaces(view.camera, width, height);
     for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i) {
       if (claims(surfaces.surfaces[i])) {
@@ -109,6 +119,15 @@ class Comparer {
     return recipe_options;
   }
 
+  // A soft technique's light is a sphere of the parameter "radius" around "light".
+  static double radius_of(const recipe::Recipe& recipe, const std::filesystem::path& file) {
+    for (const auto& [name, parameter] : recipe.parameters()) {
+      if (name == "radius" && parameter.value.size() == 1) return parameter.value[0];
+    }
+    throw InputError(file.string() +
+                     ": truth = \"soft\" needs a parameter radius, the light's; it has none");
+  }
+
   bool claims(const truth::Surface& surface) const {
     if (!surface.hit()) return false;
     return !on_receivers_ || !scene_.objects[surface.object].casts();
@@ -120,6 +139,7 @@ class Comparer {
   scene::Scene scene_;
   glm::dvec4 own_light_{0};
   bool on_receivers_ = false;
+  std::optional<double> radius_;  // of the light, where the truth is soft
   std::optional<truth::Tracer> tracer_;
 };
 
