@@ -61,6 +61,24 @@ TEST_F(Check, z_pass_is_right_where_it_says_that_it_holds) {
   }
 }
 
+TEST_F(Check, a_soft_technique_is_held_against_the_soft_truth) {
+  const auto blurred = [&](const char* blur) {
+    return row("volumes_blurred", "stairs", 1, {{"blur", blur}, {"radius", "0.3"}});
+  };
+  const CheckResult soft = blurred("contact"), hard = blurred("none");
+  EXPECT_EQ(soft.wrong_beyond_edge, 0u);  // all is an edge
+  EXPECT_GT(hard.rmse, 0.05);             // which the hard truth would give 0
+  EXPECT_LT(soft.rmse, hard.rmse / 2);
+}
+
+TEST_F(Check, a_soft_technique_without_a_light_s_radius_is_refused) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "no_radius.lua";
+  std::ofstream(file) << R"(
+    return { scene = "tetra", truth = "soft", params = { light = param.point(2, 4, 1) },
+             draw = function() end })";
+  EXPECT_THROW(check(graphics_, file, {}), InputError);
+}
+
 TEST_F(Check, the_truth_drawn_as_a_recipe_is_the_truth) {
   const CheckResult result = row("truth", "table", 4);
   // GL's rounding of vertices to 1/256 of a pixel may give a pixel at an edge to the other side.
