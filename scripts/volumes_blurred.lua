@@ -81,14 +81,14 @@ local function count_volumes(r, seen)
   gl.DepthMask(false)
   gl.Enable(gl.STENCIL_TEST)
   local volumes = {}
-  local batches = batches_of(r.scene.casters)
+  local batches = batches_of(r.scene.casters, seen.light)
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
     local counted = {}
 
     pass("2. sides turned from the light are in their own shadow" .. group, function()
-      for k, caster in ipairs(batch) do
-        counted[k] = shadow.volume(caster, nil, seen.light)
+      for k, drawn in ipairs(batch) do
+        counted[k] = shadow.volume(drawn.caster, nil, seen.light, { part = drawn.part })
         volumes[#volumes + 1] = counted[k]
       end
       own_shadow(counted, r.volume, seen)
