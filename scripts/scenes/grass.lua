@@ -25,8 +25,9 @@ local function blade(root, lean, height, width)
 end
 
 for i = 1, blades do
-  local root = vec3(5 * spread(i, first) - 2.5, 0, 4 * spread(i, second) - 2)
-  if root:distance(vec3(0.5, 0, 0.2)) > 0.62 then
+  -- A little under the ground: depth cannot tell a root that ends in it from the ground itself.
+  local root = vec3(5 * spread(i, first) - 2.5, -0.01, 4 * spread(i, second) - 2)
+  if root:distance(vec3(0.5, root.y, 0.2)) > 0.62 then
     local angle = 2 * math.pi * spread(i * i % 7919, third)
     blade(root, vec3(math.cos(angle), 0, math.sin(angle)), 0.35 + 0.5 * spread(i * 31, third),
           0.018 + 0.014 * spread(i * 17, first))
