@@ -2901,6 +2901,12 @@ function camera_value:view() end
 ---@return mat4
 function camera_value:projection(aspect) end
 
+---The same camera with eye and target moved, world space.
+---
+---`c:moved(vec3) -> camera`
+---@return camera
+function camera_value:moved(vec3) end
+
 ---What shadow.volume gives.
 ---@class volume
 ---@field triangles any how many there are, caps and all

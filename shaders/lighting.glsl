@@ -20,3 +20,6 @@ vec4 reflected(float seen) {
   float highlight = diffuse > 0.0 ? pow(max(dot(n, halfway), 0.0), shininess) : 0.0;
   return vec4(color * (ambient + seen * (1.0 - ambient) * diffuse) + seen * specular * highlight, 1.0);
 }
+
+// The same with the surface's colour mixed with another, to show what a fragment was shaded by.
+vec4 tinted(float seen, vec3 tint) { return reflected(seen) * vec4(mix(vec3(1.0), tint, 0.5), 1.0); }

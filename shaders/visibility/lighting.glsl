@@ -16,3 +16,5 @@ vec4 reflected(float seen) {
   if (casts && dot(toward_eye, to_light) <= 0.0) seen = 0.0;
   return vec4(vec3(seen), 1.0);
 }
+
+vec4 tinted(float seen, vec3 tint) { return reflected(seen); }

@@ -180,6 +180,17 @@ int projection(lua_State* L) {
   return 1;
 }
 
+int moved(lua_State* L) {
+  const CameraBox& box = read_box<CameraBox>(L, 1, "camera:moved: self");
+  const auto by = read<glm::dvec3>(L, 2, "argument 1 of camera:moved");
+  // A scene of its own around it, whose objects share their meshes with the first.
+  auto scene = std::make_shared<scene::Scene>(*box.scene);
+  scene->camera.eye += by;
+  scene->camera.target += by;
+  push_box<CameraBox>(L, {std::move(scene)});
+  return 1;
+}
+
 constexpr Entry functions[] = {
     {"load", "scene.load(name) -> scene",
      "A scene of the catalogue: scenes/name.lua beside the recipe or in scripts/.", guarded<load>},
@@ -202,6 +213,8 @@ constexpr Entry camera_entries[] = {
     {"projection", "c:projection(aspect) -> mat4",
      "Eye to clip space; aspect is width / height, of the picture unless given.",
      guarded<projection>},
+    {"moved", "c:moved(vec3) -> camera", "The same camera with eye and target moved, world space.",
+     guarded<moved>},
 };
 
 constexpr std::string_view scene_fields[] = {"name",    "title",     "camera", "lights",  "objects",

@@ -170,9 +170,10 @@ Extent padded(Extent window, double least_depth, bool perspective) {
   const double largest = std::max(window.high.x - window.low.x, window.high.y - window.low.y);
   const glm::dvec2 half =
       glm::max((window.high - window.low) * (0.5 * margin), glm::dvec2(1e-6 * largest + 1e-12));
+  // A flat caster that faces the light has no depth of its own: its width counts then.
+  const double width = largest * (perspective ? window.far : 1.0);
   const double depth =
-      depth_margin *
-      std::max(window.far - window.near, 1e-3 * (std::abs(window.far) + std::abs(window.near)));
+      std::max(depth_margin * std::max(window.far - window.near, 1e-2 * width), 1e-12);
   Extent wide{center - half, center + half, window.near - depth, window.far + depth};
   if (perspective) wide.near = std::max(wide.near, 0.5 * std::max(window.near, least_depth));
   return wide;

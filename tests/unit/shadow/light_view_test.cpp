@@ -114,6 +114,19 @@ TEST(LightView, of_a_light_among_its_casters_is_refused) {
   EXPECT_THROW(light_view({0, 0, 0, 0}, scene, whole_content(scene)), InputError);
 }
 
+TEST(LightView, of_one_plane_that_faces_the_light_has_some_depth) {
+  scene::Scene scene;
+  scene.objects = {object(scene::plane(2, 2), {0, 0, 0}, scene::Role::both)};
+  for (const dvec4& light : {dvec4(0, 1, 0, 0), dvec4(0, 3, 0, 1)}) {
+    const auto view = light_view(light, scene, whole_content(scene));
+    EXPECT_GT(view.far, view.near);
+    for (const dvec3& corner : {dvec3(1, 0, 1), dvec3(-1, 0, 1), dvec3(0, 0, 0)}) {
+      const dvec3 p = glm::abs(in_map(view, corner));
+      EXPECT_LT(std::max({p.x, p.y, p.z}), 1);
+    }
+  }
+}
+
 TEST(LightView, moves_with_the_world) {
   const auto here = cube_over_floor();
   const dvec3 away(1e6, -1e6, 1e6);

@@ -1,0 +1,98 @@
+-- A point light inside the scene: no frustum sees all around it, so that the map has six faces, one
+-- for each half-axis, and is looked up by the direction from the light. Faces on which no caster can
+-- shadow what is seen are not drawn; and while light and casters are still the whole map is kept.
+local draw_lit = require "parts.draw_lit"
+
+local recipe = {
+  title   = "A cube of shadow maps",
+  lecture = "003_dcbdf1292070997a: Omnidirectional shadow maps",
+  scene   = "room",
+  truth   = "hard",
+  params  = {
+    light  = param.point(0.2, 2.1, 0.9),
+    size   = param.integer(512, 16, 4096),     -- of each face
+    filter = param.choice("NEAREST", "LINEAR"),
+    keep   = param.toggle(true),               -- the map of a still light, for every camera
+    cull   = param.toggle(true),               -- faces without a shadow that is seen
+  },
+  sweep   = { size = { 128, 256, 512, 1024, 2048 } },
+}
+
+-- A light at infinity shines one way: one map is enough for it.
+function recipe.holds(r)
+  return r.params.light.w > 0
+end
+
+local names = { "+x", "-x", "+y", "-y", "+z", "-z" }
+local targets = {
+  gl.TEXTURE_CUBE_MAP_POSITIVE_X, gl.TEXTURE_CUBE_MAP_NEGATIVE_X,
+  gl.TEXTURE_CUBE_MAP_POSITIVE_Y, gl.TEXTURE_CUBE_MAP_NEGATIVE_Y,
+  gl.TEXTURE_CUBE_MAP_POSITIVE_Z, gl.TEXTURE_CUBE_MAP_NEGATIVE_Z,
+}
+
+function recipe.setup(r)
+  r.depth = shader.load "flat"
+  r.mapped = shader.load "shadow_map_cube"
+  local size = r.params.size
+
+  r.cube = gl.GenTextures(1)
+  gl.BindTexture(gl.TEXTURE_CUBE_MAP, r.cube)
+  for _, face in ipairs(targets) do
+    gl.TexImage2D(face, 0, gl.DEPTH_COMPONENT24, size, size, 0, gl.DEPTH_COMPONENT, gl.FLOAT, nil)
+  end
+  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MIN_FILTER, gl[r.params.filter])
+  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MAG_FILTER, gl[r.params.filter])
+  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE)
+  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_COMPARE_FUNC, gl.LEQUAL)
+
+  r.fbo = gl.GenFramebuffers(1)
+  gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
+  gl.DrawBuffer(gl.NONE)
+  gl.ReadBuffer(gl.NONE)
+end
+
+function recipe.draw(r)
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local fit = { fit = r.params.keep and "scene" or "view" }
+  local near, far = shadow.cube_range(light, scene, fit)
+  local faces = shadow.cube_faces(light, near, far)
+  local needed = shadow.faces_needed(light, scene, fit)
+
+  gl.Enable(gl.DEPTH_TEST)
+  local wanted = tostring(light) .. near .. far
+  if not r.params.keep or r.map_of ~= wanted then
+    local bias = shadow.map_bias(faces[1].projection, size, r.params.filter == "LINEAR" and 2 or 1)
+    gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
+    gl.Viewport(0, 0, size, size)
+    gl.Enable(gl.POLYGON_OFFSET_FILL)
+    gl.PolygonOffset(bias.factor, bias.units)
+    for i, face in ipairs(faces) do
+      local drawn = needed[i] or not r.params.cull
+      pass("1. face " .. names[i] .. (drawn and "" or ", cleared: no shadow there is seen"), function()
+        gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, targets[i], r.cube, 0)
+        gl.Clear(gl.DEPTH_BUFFER_BIT)
+        if drawn then
+          scene.caster:draw(r.depth, { view = face.view, projection = face.projection })
+        end
+      end)
+    end
+    gl.Disable(gl.POLYGON_OFFSET_FILL)
+    gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
+    gl.Viewport(0, 0, r.width, r.height)
+    r.map_of = wanted
+  end
+
+  pass("2. the scene, by direction", function()
+    local view, projection = camera:view(), camera:projection(r.width / r.height)
+    gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+    gl.Enable(gl.TEXTURE_CUBE_MAP_SEAMLESS)   -- a filter at a face's edge reads the next face
+    gl.BindTexture(gl.TEXTURE_CUBE_MAP, r.cube)
+    draw_lit(scene, r.mapped, {
+      view = view, projection = projection, light = light, shadow_map = 0, near = near, far = far,
+      light_matrix = mat4.translate(-light.xyz / light.w) * view:inverse(),
+    })
+  end)
+end
+
+return recipe

@@ -1,0 +1,53 @@
+-- Shadows that harden toward the contact, from one map of a square light's middle: a search for blockers
+-- says how far before the receiver they are, and that how wide to filter. Right for one blocker parallel
+-- to the light; several at different depths are taken for one at their mean.
+local draw_lit = require "parts.draw_lit"
+local map_pass = require "parts.map_pass"
+
+local recipe = {
+  title   = "Percentage-closer soft shadows",
+  lecture = "003_dcbdf1292070997a: la sombra más cercana al oclusor está más definida",
+  scene   = "table",
+  params  = {
+    light = param.point(2, 4, 1),
+    width = param.number(0.3, 0.001, 4),      -- half of the light's side, metres
+    size  = param.integer(1024, 16, 4096),
+    taps  = param.integer(12, 1, 32),         -- a side of the filter's square
+  },
+  sweep   = { taps = { 4, 8, 16, 32 } },
+}
+
+function recipe.setup(r)
+  r.depth = shader.load "flat"
+  r.mapped = shader.load "shadow_map_pcss"
+  r.fbo, r.map = map_pass.make(r.params.size)
+end
+
+function recipe.draw(r)
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local light_view, light_projection, near, far = shadow.light_view(light, scene)
+  -- Room around the casters for the parts of them that only the light's edge sees.
+  local room = 1 + r.params.width * (1 / near - 1 / far)
+                 * math.max(light_projection:row(1).x, light_projection:row(2).y)
+  light_projection = mat4.scale(1 / room, 1 / room, 1) * light_projection
+
+  pass("1. the map, from the middle of the light", function()
+    map_pass.draw(r, r.fbo, size, scene.caster, r.depth, light_view, light_projection,
+                  shadow.map_bias(light_projection, size, 2))
+  end)
+
+  pass("2. the scene: search, then filter", function()
+    local view, projection = camera:view(), camera:projection(r.width / r.height)
+    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+    draw_lit(scene, r.mapped, {
+      view = view, projection = projection, light = light, shadow_map = 0,
+      light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
+      half_width = r.params.width, taps = r.params.taps, near = near, far = far,
+      per_tangent = vec2(light_projection:row(1).x, light_projection:row(2).y) / 2,
+    })
+  end)
+end
+
+return recipe

@@ -1,0 +1,58 @@
+#version 330 core
+// Percentage-closer soft shadows (R. Fernando, SIGGRAPH 2005 sketch). The light is a square, parallel to
+// the map, of half-width s. What is at depth z before a receiver at depth r hides from it a part of the
+// light that is seen in the map, on the plane at distance 1, within s (1/z - 1/r) of the receiver's own
+// place. So: search the widest such square for blockers, take their mean depth, filter over the square
+// that this depth gives. For one blocker parallel to the light that is the exact penumbra.
+#include "lighting.glsl"
+in vec4 shadow_coord;
+uniform sampler2D shadow_map;
+uniform float half_width;          // of the light, metres
+uniform vec2 per_tangent;          // texture coordinates for one metre on the plane at distance 1
+uniform float near, far;
+uniform int taps = 16;             // a side of the square
+
+// The distance along the light's axis of a window depth under its perspective.
+float distance_of(float depth) { return far * near / (far - depth * (far - near)); }
+
+// How depth changes over the map along the receiver's plane, so that a wide filter does not take the
+// plane itself for a blocker (J. Isidoro, Shadow Mapping: GPU-based Tips and Techniques, GDC 2006).
+vec2 receiver_slope(vec3 stp) {
+  vec3 x = dFdx(stp), y = dFdy(stp);
+  float area = x.s * y.t - x.t * y.s;
+  return abs(area) < 1e-20 ? vec2(0.0) : vec2(x.p * y.t - y.p * x.t, y.p * x.s - x.p * y.s) / area;
+}
+
+void main() {
+  vec3 stp = shadow_coord.stp / shadow_coord.q;
+  vec2 slope = receiver_slope(stp);
+  float receiver = shadow_coord.q;
+  float seen = 1.0;
+  if (receiver > near && stp.p < 1.0) {
+    vec2 search = half_width * (1.0 / near - 1.0 / receiver) * per_tangent;
+    float sum = 0.0;
+    int blockers = 0;
+    for (int j = 0; j < taps; ++j) {
+      for (int i = 0; i < taps; ++i) {
+        vec2 step = ((vec2(i, j) + 0.5) / float(taps) * 2.0 - 1.0) * search;
+        float stored = texture(shadow_map, stp.st + step).r;
+        if (stored < stp.p + dot(slope, step)) {
+          sum += distance_of(stored);
+          ++blockers;
+        }
+      }
+    }
+    if (blockers > 0) {
+      vec2 width = half_width * max(0.0, float(blockers) / sum - 1.0 / receiver) * per_tangent;
+      float lit = 0.0;
+      for (int j = 0; j < taps; ++j) {
+        for (int i = 0; i < taps; ++i) {
+          vec2 step = ((vec2(i, j) + 0.5) / float(taps) * 2.0 - 1.0) * width;
+          lit += stp.p + dot(slope, step) <= texture(shadow_map, stp.st + step).r ? 1.0 : 0.0;
+        }
+      }
+      seen = lit / float(taps * taps);
+    }
+  }
+  fragment = reflected(seen);
+}

@@ -1,0 +1,93 @@
+-- What a depth buffer can tell apart with near = 0.1 and far = 100,000. Window depth is 1 - n/z, but for
+-- a part in 10^6, so a step of 2^-bits of it is z²/(n · 2^bits) metres: 0.6 m at 1 km with 24 bits. A
+-- float is no better: near 1 its steps are 2^-24 too. Reversed, depth is n/z under a clip range from 0
+-- to 1, and near 0 a float's steps are in proportion to it: 2^-24 z to 2^-23 z metres.
+local near, far, columns = 0.1, 1e5, 256
+
+local vertex = [[
+#version 330 core
+layout(location = 0) in vec3 position;
+uniform float from;
+uniform float range;
+uniform vec2 depth_of;   // clip z = x · distance + y
+void main() {
+  float distance = from + range * position.z;
+  gl_Position = vec4(position.xy * distance, depth_of.x * distance + depth_of.y, distance);
+}]]
+local fragment = "#version 330 core\nvoid main() {}"
+
+-- Quads side by side, each at a distance of its own: z from 0 to 1.
+local function steps()
+  local positions, indices = {}, {}
+  for i = 0, columns - 1 do
+    local first = #positions
+    for _, corner in ipairs { { 0, -1 }, { 1, -1 }, { 1, 1 }, { 0, 1 } } do
+      positions[#positions + 1] = vec3(2 * (i + corner[1]) / columns - 1, corner[2], i / (columns - 1))
+    end
+    for _, k in ipairs { 0, 1, 2, 0, 2, 3 } do indices[#indices + 1] = first + k end
+  end
+  return mesh.new { positions = positions, indices = indices }
+end
+
+-- z²/(n · 2^bits) over the 64 steps from `z` on, by which z grows.
+local function expected_step(z, bits)
+  local first = z * z / (near * 2 ^ bits)
+  return 64 * first / (near * 2 ^ bits * (1 / z - 1 / (z + 64 * first)))
+end
+
+-- The step between depths that differ, in metres, from `distance` on, over 64 times `expected`.
+local function measured(format, reversed, distance, expected)
+  local found
+  frame(columns, 1, function()
+    local map = gl.GenTextures(1)
+    gl.BindTexture(gl.TEXTURE_2D, map)
+    gl.TexImage2D(gl.TEXTURE_2D, 0, format, columns, 1, 0, gl.DEPTH_COMPONENT, gl.FLOAT, nil)
+    gl.BindFramebuffer(gl.FRAMEBUFFER, gl.GenFramebuffers(1))
+    gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, map, 0)
+    gl.DrawBuffer(gl.NONE)
+    gl.ReadBuffer(gl.NONE)
+    gl.Enable(gl.DEPTH_TEST)
+    gl.DepthFunc(gl.ALWAYS)
+    local depth_of = vec2((far + near) / (far - near), -2 * far * near / (far - near))
+    if reversed then
+      gl.ClipControl(gl.LOWER_LEFT, gl.ZERO_TO_ONE)
+      depth_of = vec2(-near / (far - near), far * near / (far - near))
+    end
+    local range = 64 * expected
+    steps():draw(shader.compile { vertex = vertex, fragment = fragment },
+                 { from = distance, range = range, depth_of = depth_of })
+    local seen, differing = {}, 0
+    for _, depth in ipairs(gl.ReadPixels(0, 0, columns, 1, gl.DEPTH_COMPONENT, gl.FLOAT)) do
+      if not seen[depth] then differing = differing + 1 end
+      seen[depth] = true
+    end
+    found = range / (differing - 1)
+  end)
+  return found
+end
+
+local reason = "64 steps are drawn over, whose first and last are cut, and depths are computed in floats"
+
+test("depth_16_resolves_z_squared_over_n_2_to_the_16", function()
+  for _, z in ipairs { 2, 10, 50 } do
+    local expected = z * z / (near * 2 ^ 16)
+    expect_near(measured(gl.DEPTH_COMPONENT16, false, z, expected) / expected_step(z, 16), 1, 0.05, reason)
+  end
+end)
+
+test("depth_24_and_a_float_of_32_bits_resolve_the_same", function()
+  for _, z in ipairs { 100, 300, 1000 } do
+    local expected = z * z / (near * 2 ^ 24)
+    for _, format in ipairs { gl.DEPTH_COMPONENT24, gl.DEPTH_COMPONENT32F } do
+      expect_near(measured(format, false, z, expected) / expected_step(z, 24), 1, 0.1, reason)
+    end
+  end
+end)
+
+-- Distances are floats too, whose own steps are at most 2^-23 of them.
+test("a_reversed_float_resolves_a_constant_part_of_the_distance", function()
+  for _, z in ipairs { 100, 1000, 10000 } do
+    local relative = measured(gl.DEPTH_COMPONENT32F, true, z, z * 2 ^ -23) / z
+    expect(relative >= 2 ^ -24.2 and relative <= 2 ^ -22, z .. ": " .. relative * 2 ^ 24 .. " · 2^-24")
+  end
+end)
