@@ -22,11 +22,11 @@ float chebyshev(vec2 moments, float t, float least) {
 // them, that has these moments, by the Cholesky factors of their Hankel matrix (C. Peters, R. Klein,
 // Moment Shadow Mapping, I3D 2015).
 float hamburger(vec4 m, float t) {
-  m = mix(m, vec4(0.5), 1e-6);                      // keeps the matrix positive in floats
-  float d22 = m.y - m.x * m.x;
+  m = mix(m, vec4(0.5), 3e-5);                      // keeps the matrix positive in floats
+  float d22 = max(m.y - m.x * m.x, 1e-9);
   float l32_d22 = m.z - m.x * m.y;
   float l32 = l32_d22 / d22;
-  float d33_d22 = (m.w - m.y * m.y) * d22 - l32_d22 * l32_d22;
+  float d33_d22 = max((m.w - m.y * m.y) * d22 - l32_d22 * l32_d22, 1e-9);
   vec3 c = vec3(1.0, t, t * t);
   c.y -= m.x;                                       // forward through L
   c.z -= m.y + l32 * c.y;
@@ -34,9 +34,11 @@ float hamburger(vec4 m, float t) {
   c.z *= d22 / d33_d22;
   c.y -= l32 * c.z;                                 // back through L transposed
   c.x -= dot(c.yz, m.xy);
-  float p = c.y / c.z, q = c.x / c.z;               // the other two depths: roots of z² + p z + q
-  float r = sqrt(max(0.25 * p * p - q, 0.0));
-  float first = -0.5 * p - r, second = -0.5 * p + r;
+  // The other two depths: the roots of c.z z² + c.y z + c.x, without cancellation. At the edge of one
+  // shadow t is nearly all that is needed beside one of them, and the other is far away.
+  float h = -0.5 * (c.y + (c.y < 0.0 ? -1.0 : 1.0) * sqrt(max(c.y * c.y - 4.0 * c.z * c.x, 0.0)));
+  float one = clamp(c.x / h, -1e4, 1e4), other = clamp(h / c.z, -1e4, 1e4);
+  float first = min(one, other), second = max(one, other);
   float dark = 0.0;
   if (second < t) {
     dark = 1.0 + (first * second - m.x * (first + second) + m.y) / ((second - t) * (t - first));
