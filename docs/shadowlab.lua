@@ -2689,7 +2689,7 @@ function shadow.adjacency(mesh) end
 ---@return table
 function shadow.silhouette(mesh, model, light) end
 
----A mesh, or a scene's object (model may then be nil), as the shaders "extrude_vertex" or "extrude_geometry" take it, which make its shadow volume by themselves: nothing is computed or sent when the light moves.
+---A mesh, or a scene's object (model may then be nil), as the shaders "extrude_vertex" or "extrude_geometry" take it, which make its shadow volume by themselves: nothing is computed or sent when the light moves. Of a caster that shadow.parts draws in parts for a light, one of them.
 ---
 ---`shadow.extrusion(mesh, "vertex"|"geometry", model) -> extrusion`
 ---@return any

@@ -1,7 +1,2 @@
 #version 330 core
-// For stencil passes, whose colours are masked, and for pictures of the volume itself.
-uniform vec3 color;
-uniform float alpha = 1.0;
-out vec4 fragment;
-
-void main() { fragment = vec4(color, alpha); }
+#include "plain_color.glsl"

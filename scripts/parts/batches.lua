@@ -1,11 +1,11 @@
 -- Casters in groups that 7 bits can count: the sum of their layers (how often a volume may hold one
 -- point) is at most 127. A caster that has more by itself is drawn in parts. Each group is a list of
--- { caster = , part = }, as shadow.volume takes them. Who counts otherwise gives another `most`.
-return function(casters, light, most)
+-- { caster = , part = }, as shadow.volume takes them.
+return function(casters, light)
   local batches, layers, all = { {} }, 0, 0
   for _, caster in ipairs(casters) do
     for part, own in ipairs(shadow.parts(caster, nil, light)) do
-      if layers > 0 and layers + own > (most or 127) then
+      if layers > 0 and layers + own > 127 then
         table.insert(batches, {})
         layers = 0
       end

@@ -1,7 +1,7 @@
 // shadow.extrusion: shadow volumes that shaders make.
 #include <fmt/format.h>
 
-#include <cstring>
+#include <algorithm>
 
 #include "lua/boxes.h"
 #include "lua/volume_pool.h"
@@ -11,6 +11,8 @@ namespace {
 
 // A doubled mesh takes about 1.2 KB a triangle.
 constexpr std::size_t most_doubled = 200'000;
+// Runs of one mesh that are kept: a light that moves may cut it in others.
+constexpr std::size_t most_runs = 64;
 
 std::span<const float> floats_of(const std::vector<shadow::ExtrudedVertex>& vertices) {
   static_assert(sizeof(shadow::ExtrudedVertex) == 15 * sizeof(float));
@@ -24,61 +26,93 @@ std::unique_ptr<gl::FixedElements> upload(gl::Graphics& graphics, const shadow::
 }
 
 std::unique_ptr<gl::FixedElements> upload_adjacent(gl::Graphics& graphics,
-                                                   const VolumeSource& source) {
+                                                   const shadow::FacingPlanes& planes,
+                                                   shadow::TriangleRange run) {
   static constexpr GLint components[] = {3};
-  const auto& positions = source.adjacency.positions;
+  const auto positions = planes.positions();
   const std::span floats(reinterpret_cast<const float*>(positions.data()), positions.size() * 3);
-  return std::make_unique<gl::FixedElements>(
-      graphics.gl, graphics.calls(), floats, components,
-      shadow::ordered_with_adjacency(source.adjacency, source.extrudable->order));
+  return std::make_unique<gl::FixedElements>(graphics.gl, graphics.calls(), floats, components,
+                                             shadow::run_with_adjacency(planes, run));
+}
+
+Extrusion::Stage stage_argument(lua_State* L, int index) {
+  const std::string_view text = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "";
+  if (text == "vertex") return Extrusion::Stage::vertex;
+  if (text == "geometry") return Extrusion::Stage::geometry;
+  throw InputError(
+      "shadow.extrusion: argument 2 is \"vertex\" or \"geometry\", the shader that extrudes; it "
+      "is " +
+      describe(L, index));
+}
+
+// The part that { part = , light = } names of those of shadow.parts; all triangles without it.
+shadow::TriangleRange run_argument(lua_State* L, int index, VolumeSource& source,
+                                   const glm::dmat4& model) {
+  const std::size_t all = source.builder.triangle_count();
+  if (lua_isnoneornil(L, index)) return {0, all};
+  if (lua_type(L, index) != LUA_TTABLE) {
+    throw InputError(
+        "shadow.extrusion's options are a table, as { part = 1, light = light }; it is " +
+        describe(L, index));
+  }
+  lua_getfield(L, index, "part");
+  const double part = read<double>(L, -1, "part");
+  lua_getfield(L, index, "light");
+  const auto light = read_light(L, lua_gettop(L), "light");
+  lua_pop(L, 2);
+  const auto parts = source.layers.parts(
+      glm::dvec4(glm::vec4(shadow::light_in_model_space(model, light.position))));
+  if (!(part >= 1 && part <= static_cast<double>(parts.size()))) {
+    throw InputError(
+        fmt::format("shadow.extrusion: there is no part {}; for this light there {}", part,
+                    parts.size() == 1 ? "is one" : fmt::format("are {}", parts.size())));
+  }
+  const shadow::TriangleRange run = parts[static_cast<std::size_t>(part) - 1].triangles;
+  return {run.first, std::min(run.last, all)};
+}
+
+std::shared_ptr<VolumeSource::Extrudable> elements_of(Stage& stage, VolumeSource& source,
+                                                      shadow::TriangleRange run,
+                                                      Extrusion::Stage extruder) {
+  if (source.extrudables.size() > most_runs) source.extrudables.clear();
+  auto& elements = source.extrudables[{run.first, run.last}];
+  if (!elements) {
+    stage.state.check_budget(run.count() * 24);
+    elements = std::make_shared<VolumeSource::Extrudable>();
+  }
+  const shadow::FacingPlanes& planes = source.builder.facing();
+  if (extruder == Extrusion::Stage::geometry) {
+    if (!elements->adjacent) elements->adjacent = upload_adjacent(stage.graphics, planes, run);
+  } else if (!elements->doubled) {
+    elements->doubled = upload(stage.graphics, shadow::doubled_mesh(planes, run));
+    elements->separate = upload(stage.graphics, shadow::separate_faces(planes, run));
+  }
+  return elements;
 }
 
 std::string what_is_drawn(lua_State* L, const Extrusion& extrusion) {
   const auto* object = test_box<ObjectBox>(L, 1);
-  const std::string caster = object ? object->object().name : "the caster";
-  const std::size_t triangles = extrusion.source->adjacency.triangles.size(),
-                    closed = extrusion.source->extrudable->order.closed;
-  return fmt::format(
-      "The volume of {} is made by the {} shader from {} triangles; {} of them are of closed parts "
-      "and count only where they face the light.",
-      caster, extrusion.stage == Extrusion::Stage::vertex ? "vertex" : "geometry", triangles,
-      closed == triangles ? "all"
-      : closed == 0       ? "none"
-                          : std::to_string(closed));
+  return fmt::format("The volume of {} is made by the {} shader from {} triangles.",
+                     object ? object->object().name : "the caster",
+                     extrusion.stage == Extrusion::Stage::vertex ? "vertex" : "geometry",
+                     extrusion.triangles.count());
 }
 
 int make(lua_State* L) {
   const MeshBox mesh = caster_mesh(L, 1, "extrusion");
-  const char* const text = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-  const bool vertex = std::strcmp(text, "vertex") == 0;
-  if (!vertex && std::strcmp(text, "geometry") != 0) {
-    throw InputError(
-        "shadow.extrusion: argument 2 is \"vertex\" or \"geometry\", the shader that "
-        "extrudes; it is " +
-        describe(L, 2));
-  }
+  Extrusion extrusion;
+  extrusion.stage = stage_argument(L, 2);
+  extrusion.model = caster_model(L, 3, "extrusion");
   Stage& stage = Stage::of(L);
-  Extrusion extrusion{stage.volumes->source(mesh),
-                      vertex ? Extrusion::Stage::vertex : Extrusion::Stage::geometry,
-                      caster_model(L, 3, "extrusion")};
-  VolumeSource& source = *extrusion.source;
-  if (vertex && source.adjacency.triangles.size() > most_doubled) {
+  extrusion.source = stage.volumes->source(mesh);
+  extrusion.triangles = run_argument(L, 4, *extrusion.source, extrusion.model);
+  if (extrusion.stage == Extrusion::Stage::vertex && extrusion.triangles.count() > most_doubled) {
     throw InputError(
         fmt::format("shadow.extrusion: the mesh has {} triangles; \"vertex\" takes {} at most, "
                     "\"geometry\" any",
-                    source.adjacency.triangles.size(), most_doubled));
+                    extrusion.triangles.count(), most_doubled));
   }
-  if (!source.extrudable) {
-    stage.state.check_budget(mesh->indices.size() * 24);
-    source.extrudable = std::make_unique<VolumeSource::Extrudable>();
-    source.extrudable->order = shadow::extrusion_order(source.adjacency);
-  }
-  VolumeSource::Extrudable& parts = *source.extrudable;
-  if (vertex && !parts.doubled) {
-    parts.doubled =
-        upload(stage.graphics, shadow::doubled_mesh(source.adjacency, source.facing, parts.order));
-  }
-  if (!vertex && !parts.adjacent) parts.adjacent = upload_adjacent(stage.graphics, source);
+  extrusion.elements = elements_of(stage, *extrusion.source, extrusion.triangles, extrusion.stage);
   if (stage.explaining) stage.explain(what_is_drawn(L, extrusion));
   push_box<Extrusion>(L, std::move(extrusion));
   return 1;
@@ -118,27 +152,22 @@ int draw(lua_State* L) {
   const Extrusion& extrusion = read_box<Extrusion>(L, 1, "extrusion:draw: self");
   const Seen seen = read_seen(L, extrusion, 3);
   const VolumeSource& source = *extrusion.source;
-  const VolumeSource::Extrudable& parts = *source.extrudable;
   const bool vertex = extrusion.stage == Extrusion::Stage::vertex;
-  const gl::FixedElements& elements = vertex ? *parts.doubled : *parts.adjacent;
+  const gl::FixedElements& elements =
+      vertex ? *extrusion.elements->doubled : *extrusion.elements->adjacent;
   const std::size_t each = vertex ? shadow::DoubledMesh::indices_a_triangle : 6;
-  const std::size_t closed = parts.order.closed * each, all = parts.order.triangles.size() * each;
-  const auto scaled = source.facing.scaled(seen.light);
-  const auto draw_range = [&](std::size_t first, std::size_t count, bool lit_faces_alone) {
-    const Derived derived[] = {
-        vector("volume_light", seen.light),
-        vector("facing_light", scaled.light),
-        {"facing_bound", {scaled.bound}},
-        {"lit_faces_alone", {lit_faces_alone ? 1.0 : 0.0}},
-        {"mirrored", {glm::determinant(glm::dmat3(seen.model)) < 0 ? 1.0 : 0.0}}};
+  const auto scaled = source.builder.facing().scaled(seen.light);
+  const double mirrored = glm::determinant(glm::dmat3(seen.model)) < 0 ? 1 : 0;
+  for (const auto& run : shadow::ruled_runs(source.builder, seen.light, extrusion.triangles)) {
+    const Derived derived[] = {vector("volume_light", seen.light),
+                               vector("facing_light", scaled.light),
+                               {"facing_bound", {scaled.bound}},
+                               {"lit_faces_alone", {run.lit_faces_alone ? 1.0 : 0.0}},
+                               {"mirrored", {mirrored}}};
+    const std::size_t first = (run.triangles.first - extrusion.triangles.first) * each,
+                      count = run.triangles.count() * each;
     draw_with({L, 2, 3}, extrusion.model, {}, count, derived, "shadow volume by its shader",
               [&] { elements.draw(vertex ? GL_TRIANGLES : GL_TRIANGLES_ADJACENCY, first, count); });
-  };
-  if (parts.order.lit_faces_suffice(seen.light)) {
-    if (closed > 0) draw_range(0, closed, true);
-    if (all > closed) draw_range(closed, all - closed, false);
-  } else {
-    draw_range(0, all, false);
   }
   return 0;
 }
@@ -146,24 +175,19 @@ int draw(lua_State* L) {
 int draw_unlit(lua_State* L) {
   const Extrusion& extrusion = read_box<Extrusion>(L, 1, "extrusion:draw_unlit: self");
   const Seen seen = read_seen(L, extrusion, 3);
-  const VolumeSource& source = *extrusion.source;
-  VolumeSource::Extrudable& parts = *source.extrudable;
   const bool vertex = extrusion.stage == Extrusion::Stage::vertex;
-  if (vertex && !parts.separate) {
-    parts.separate =
-        upload(Stage::of(L).graphics, shadow::separate_faces(source.adjacency, source.facing));
-  }
-  const auto light = source.facing.scaled(seen.light), eye = source.facing.scaled(seen.eye);
+  const gl::FixedElements& elements =
+      vertex ? *extrusion.elements->separate : *extrusion.elements->adjacent;
+  const shadow::FacingPlanes& planes = extrusion.source->builder.facing();
+  const auto light = planes.scaled(seen.light), eye = planes.scaled(seen.eye);
   const Derived derived[] = {vector("volume_light", seen.light),
                              vector("volume_eye", seen.eye),
                              vector("facing_light", light.light),
                              vector("facing_eye", eye.light),
                              {"facing_bound", {std::max(light.bound, eye.bound)}}};
-  const std::size_t count = source.adjacency.triangles.size() * (vertex ? 3 : 6);
-  draw_with({L, 2, 3}, extrusion.model, {}, count, derived, "sides turned from the light", [&] {
-    const gl::FixedElements& elements = vertex ? *parts.separate : *parts.adjacent;
-    elements.draw(vertex ? GL_TRIANGLES : GL_TRIANGLES_ADJACENCY, 0, count);
-  });
+  const std::size_t count = extrusion.triangles.count() * (vertex ? 3 : 6);
+  draw_with({L, 2, 3}, extrusion.model, {}, count, derived, "sides turned from the light",
+            [&] { elements.draw(vertex ? GL_TRIANGLES : GL_TRIANGLES_ADJACENCY, 0, count); });
   return 0;
 }
 
@@ -172,7 +196,9 @@ constexpr Entry functions[] = {
      "A mesh, or a scene's object (model may then be nil), as the shaders \"extrude_vertex\" or "
      "\"extrude_geometry\" take it, which make its shadow volume by themselves: nothing is "
      "computed "
-     "or sent when the light moves.",
+     "or sent when the light moves. Of a caster that shadow.parts draws in parts for a light, one "
+     "of "
+     "them.",
      guarded<make>},
 };
 constexpr Entry methods[] = {
@@ -191,10 +217,9 @@ constexpr std::string_view field_names[] = {"primitives"};
 
 bool BoxTraits<Extrusion>::push_field(lua_State* L, Extrusion& extrusion, std::string_view key) {
   if (key != "primitives") return false;
-  const std::size_t triangles = extrusion.source->adjacency.triangles.size();
   const bool vertex = extrusion.stage == Extrusion::Stage::vertex;
   const std::size_t each = vertex ? shadow::DoubledMesh::indices_a_triangle / 3 : 1;
-  lua_pushinteger(L, static_cast<lua_Integer>(triangles * each));
+  lua_pushinteger(L, static_cast<lua_Integer>(extrusion.triangles.count() * each));
   return true;
 }
 

@@ -34,20 +34,22 @@ struct VolumeSource {
   /// The adjacency's vertices, doubled; made when asked for.
   std::shared_ptr<gl::VolumeVertices> adjacency_vertices;
 
-  /// What shaders extrude by themselves; each made when asked for.
+  /// What shaders extrude by themselves, of a run of the builder's triangles.
   struct Extrudable {
-    shadow::ExtrusionOrder order;
     std::unique_ptr<gl::FixedElements> doubled;   ///< for the vertex shader
+    std::unique_ptr<gl::FixedElements> separate;  ///< the triangles alone, for the same
     std::unique_ptr<gl::FixedElements> adjacent;  ///< for the geometry shader
-    std::unique_ptr<gl::FixedElements> separate;  ///< the triangles alone
   };
-  std::unique_ptr<Extrudable> extrudable;
+  /// By the run's first and last; each made when asked for.
+  std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<Extrudable>> extrudables;
 };
 
 /// A caster whose volume shaders make: nothing of it changes with the light.
 struct Extrusion {
   enum class Stage { vertex, geometry };
   std::shared_ptr<VolumeSource> source;
+  std::shared_ptr<VolumeSource::Extrudable> elements;
+  shadow::TriangleRange triangles;
   Stage stage = Stage::vertex;
   glm::dmat4 model{1};
 };

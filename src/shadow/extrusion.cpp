@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-
-#include "shadow/silhouette.h"
+#include <tuple>
 
 namespace shadowlab::shadow {
 namespace {
@@ -45,76 +44,118 @@ class Part {
   glm::vec4 face_;
 };
 
+TriangleRange within(const FacingPlanes& planes, TriangleRange run) {
+  return {run.first, std::min(run.last, planes.triangles().size())};
+}
+
+struct HalfEdge {
+  std::array<Index, 2> ends;  // the lesser first
+  std::size_t number;         // 3 * triangle + k, triangles counted from the run's first
+  bool operator<(const HalfEdge& other) const {
+    return std::tie(ends, number) < std::tie(other.ends, other.number);
+  }
+};
+
+/// For each half-edge the one across it, where the edge joins exactly two triangles of the run and
+/// of one orientation; else itself.
+std::vector<std::size_t> across(const FacingPlanes& planes, TriangleRange run) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * run.count());
+  const auto from = [&](std::size_t number) {
+    return planes.triangles()[run.first + number / 3][number % 3];
+  };
+  for (std::size_t i = 0; i < 3 * run.count(); ++i) {
+    const auto [low, high] = std::minmax({from(i), from(i % 3 == 2 ? i - 2 : i + 1)});
+    edges.push_back({{low, high}, i});
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::size_t> found(edges.size());
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next].ends == edges[i].ends) ++next;
+    for (std::size_t k = i; k < next; ++k) found[edges[k].number] = edges[k].number;
+    if (next - i != 2 || from(edges[i].number) == from(edges[i + 1].number)) continue;
+    found[edges[i].number] = edges[i + 1].number;
+    found[edges[i + 1].number] = edges[i].number;
+  }
+  return found;
+}
+
+std::array<glm::vec3, 3> corners_of(const FacingPlanes& planes, std::size_t triangle) {
+  const auto& [a, b, c] = planes.triangles()[triangle];
+  return {planes.positions()[a], planes.positions()[b], planes.positions()[c]};
+}
+
 }  // namespace
 
-bool ExtrusionOrder::lit_faces_suffice(glm::dvec4 light) const {
-  return std::all_of(boxes.begin(), boxes.end(), [&](const scene::Bounds& box) {
-    Component component;
-    component.low = box.low;
-    component.high = box.high;
-    component.closed = true;
-    return component.lit_faces_suffice(light);
-  });
-}
-
-ExtrusionOrder extrusion_order(const scene::Adjacency& adjacency) {
-  const std::vector<Component> parts = components(adjacency);
-  const auto plain = [&](Index t) {
-    const Component& part = parts[adjacency.component[t]];
-    return part.closed && !part.inside_out;
-  };
-  ExtrusionOrder order;
-  order.triangles.resize(adjacency.triangles.size());
-  for (Index t = 0; t < order.triangles.size(); ++t) order.triangles[t] = t;
-  const auto middle = std::stable_partition(order.triangles.begin(), order.triangles.end(), plain);
-  order.closed = static_cast<std::size_t>(middle - order.triangles.begin());
-  for (const Component& part : parts) {
-    if (part.closed && !part.inside_out) order.boxes.push_back({part.low, part.high});
-  }
-  return order;
-}
-
-DoubledMesh doubled_mesh(const scene::Adjacency& adjacency, const FacingPlanes& planes,
-                         const ExtrusionOrder& order) {
-  const auto next = scene::next(adjacency);
-  DoubledMesh mesh;
-  mesh.vertices.reserve(order.triangles.size() * DoubledMesh::vertices_a_triangle);
-  mesh.indices.reserve(order.triangles.size() * DoubledMesh::indices_a_triangle);
-  for (const Index t : order.triangles) {
-    Part part(mesh, planes.plane(t));
-    std::array<glm::vec3, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k) corner[k] = adjacency.positions[adjacency.triangles[t][k]];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t across = next[t][k];
-      part.side(corner[k], corner[(k + 1) % 3],
-                across < 0 ? glm::vec4(0) : planes.plane(static_cast<std::size_t>(across)));
+std::vector<RuledRun> ruled_runs(const VolumeBuilder& builder, glm::dvec4 light,
+                                 TriangleRange run) {
+  run = within(builder.facing(), run);
+  std::vector<RuledRun> runs;
+  const auto append = [&](TriangleRange triangles, bool lit_faces_alone) {
+    triangles.first = std::max(triangles.first, run.first);
+    triangles.last = std::min(triangles.last, run.last);
+    if (triangles.first >= triangles.last) return;
+    if (!runs.empty() && runs.back().lit_faces_alone == lit_faces_alone) {
+      runs.back().triangles.last = triangles.last;
+    } else {
+      runs.push_back({triangles, lit_faces_alone});
     }
-    part.cap(corner[0], corner[1], corner[2], 1);
-    part.cap(corner[0], corner[2], corner[1], 0);
+  };
+  std::size_t closed_end = 0;
+  for (const auto& closed : builder.closed_components()) {
+    append(closed.triangles, closed.component.lit_faces_suffice(light));
+    closed_end = closed.triangles.last;
   }
-  return mesh;
+  append({closed_end, run.last}, false);
+  return runs;
 }
 
-DoubledMesh separate_faces(const scene::Adjacency& adjacency, const FacingPlanes& planes) {
+DoubledMesh doubled_mesh(const FacingPlanes& planes, TriangleRange run) {
+  run = within(planes, run);
+  const auto neighbours = across(planes, run);
   DoubledMesh mesh;
-  for (std::size_t t = 0; t < adjacency.triangles.size(); ++t) {
-    const auto& [a, b, c] = adjacency.triangles[t];
-    Part(mesh, planes.plane(t))
-        .cap(adjacency.positions[a], adjacency.positions[b], adjacency.positions[c], 1);
+  mesh.vertices.reserve(run.count() * DoubledMesh::vertices_a_triangle);
+  mesh.indices.reserve(run.count() * DoubledMesh::indices_a_triangle);
+  for (std::size_t t = 0; t < run.count(); ++t) {
+    const auto [a, b, c] = corners_of(planes, run.first + t);
+    Part part(mesh, planes.plane(run.first + t));
+    const auto plane_across = [&](std::size_t k) {
+      const std::size_t other = neighbours[3 * t + k] / 3;
+      return other == t ? glm::vec4(0) : planes.plane(run.first + other);
+    };
+    part.side(a, b, plane_across(0));
+    part.side(b, c, plane_across(1));
+    part.side(c, a, plane_across(2));
+    part.cap(a, b, c, 1);
+    part.cap(a, c, b, 0);
   }
   return mesh;
 }
 
-std::vector<std::uint32_t> ordered_with_adjacency(const scene::Adjacency& adjacency,
-                                                  const ExtrusionOrder& order) {
-  const std::vector<Index> indices = scene::indices_with_adjacency(adjacency);
-  std::vector<Index> ordered;
-  ordered.reserve(indices.size());
-  for (const std::size_t t : order.triangles) {
-    const auto first = indices.begin() + static_cast<std::ptrdiff_t>(6 * t);
-    ordered.insert(ordered.end(), first, first + 6);
+DoubledMesh separate_faces(const FacingPlanes& planes, TriangleRange run) {
+  run = within(planes, run);
+  DoubledMesh mesh;
+  for (std::size_t t = run.first; t < run.last; ++t) {
+    const auto [a, b, c] = corners_of(planes, t);
+    Part(mesh, planes.plane(t)).cap(a, b, c, 1);
   }
-  return ordered;
+  return mesh;
+}
+
+std::vector<std::uint32_t> run_with_adjacency(const FacingPlanes& planes, TriangleRange run) {
+  run = within(planes, run);
+  const auto neighbours = across(planes, run);
+  std::vector<Index> indices;
+  indices.reserve(6 * run.count());
+  // The corner that is not on the half-edge. Of a triangle that is its own neighbour, its own.
+  const auto opposite = [&](std::size_t number) {
+    return planes.triangles()[run.first + number / 3][(number % 3 + 2) % 3];
+  };
+  for (std::size_t i = 0; i < 3 * run.count(); ++i) {
+    indices.push_back(planes.triangles()[run.first + i / 3][i % 3]);
+    indices.push_back(opposite(neighbours[i]));
+  }
+  return indices;
 }
 
 }  // namespace shadowlab::shadow

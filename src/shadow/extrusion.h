@@ -15,13 +15,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "scene/adjacency.h"
 #include "shadow/facing.h"
+#include "shadow/volume.h"
 
 namespace shadowlab::shadow {
 
@@ -33,34 +32,31 @@ struct ExtrudedVertex {
   glm::vec4 across;  ///< the plane across the edge whose side it is part of; 0 where there is none
 };
 
-/// Triangles in an order in which those whose component is closed and not inside out come first:
-/// they may count by rule 2.
-struct ExtrusionOrder {
-  std::vector<std::uint32_t> triangles;  ///< of the adjacency
-  std::size_t closed = 0;                ///< the first this many
-  std::vector<scene::Bounds> boxes;      ///< of the closed components
-
-  /// Whether rule 2 is right for them all: `light` (normalized, model space) is outside every box.
-  bool lit_faces_suffice(glm::dvec4 light) const;
+/// Triangles that count by one rule of volume.h.
+struct RuledRun {
+  TriangleRange triangles;
+  bool lit_faces_alone = false;  ///< rule 2
 };
-ExtrusionOrder extrusion_order(const scene::Adjacency& adjacency);
+/// The runs of `run`, in order, as `VolumeBuilder::build` rules them for `light` (normalized, model
+/// space).
+std::vector<RuledRun> ruled_runs(const VolumeBuilder& builder, glm::dvec4 light,
+                                 TriangleRange run = {});
 
-/// The doubled mesh: for each triangle of `order` its sides and its caps, index ranges of
-/// `indices_a_triangle` that share no vertex with others'.
+/// The doubled mesh of a run of triangles: for each its sides and its caps, `indices_a_triangle`
+/// that share no vertex with another's. What is outside the run is across no edge.
 struct DoubledMesh {
   static constexpr std::size_t vertices_a_triangle = 18;
   static constexpr std::size_t indices_a_triangle = 24;
   std::vector<ExtrudedVertex> vertices;
   std::vector<std::uint32_t> indices;
 };
-DoubledMesh doubled_mesh(const scene::Adjacency& adjacency, const FacingPlanes& planes,
-                         const ExtrusionOrder& order);
+DoubledMesh doubled_mesh(const FacingPlanes& planes, TriangleRange run = {});
 
 /// The triangles alone, each with vertices of its own: what draws the sides turned from the light.
-DoubledMesh separate_faces(const scene::Adjacency& adjacency, const FacingPlanes& planes);
+DoubledMesh separate_faces(const FacingPlanes& planes, TriangleRange run = {});
 
-/// `scene::indices_with_adjacency` in that order, for shaders/extrude_geometry.geom.
-std::vector<std::uint32_t> ordered_with_adjacency(const scene::Adjacency& adjacency,
-                                                  const ExtrusionOrder& order);
+/// Six indices a triangle, as `scene::indices_with_adjacency` gives them, of a run, for
+/// shaders/extrude_geometry.geom.
+std::vector<std::uint32_t> run_with_adjacency(const FacingPlanes& planes, TriangleRange run = {});
 
 }  // namespace shadowlab::shadow

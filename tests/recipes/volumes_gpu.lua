@@ -20,7 +20,7 @@ local function differing_off_edges(a, b, width, height)
 end
 
 test("the_vertex_shader_s_picture_is_that_of_z_fail_pixel_by_pixel", function()
-  for _, scene in ipairs{ "table", "tetra", "room", "corner", "cube", "mobius" } do
+  for _, scene in ipairs{ "table", "tetra", "room", "corner", "cube", "mobius", "shells" } do
     local built = render("volumes_zfail", { scene = scene, size = { 128, 128 } })
     local made = render("volumes_gpu", { scene = scene, size = { 128, 128 }, set = { extruder = "vertex" } })
     expect_equal(built:difference(made).stencil, 0, scene)
@@ -30,7 +30,7 @@ end)
 
 -- What a geometry shader emits may be rounded otherwise: by a step of 1/256 of a pixel.
 test("the_geometry_shader_s_picture_is_that_of_z_fail_but_for_pixels_at_an_edge", function()
-  for _, scene in ipairs{ "table", "tetra", "room", "corner", "cube", "mobius" } do
+  for _, scene in ipairs{ "table", "tetra", "room", "corner", "cube", "mobius", "shells" } do
     local built = render("volumes_zfail", { scene = scene, size = { 128, 128 } })
     local made = render("volumes_gpu", { scene = scene, size = { 128, 128 }, set = { extruder = "geometry" } })
     expect_equal(differing_off_edges(built, made, 128, 128), 0, scene)
@@ -136,6 +136,9 @@ test("what_an_extrusion_does_not_take_is_said", function()
     expect_error(function() shadow.extrusion(box, "vertex"):draw(shader.load "extrude_vertex") end, "takes a table")
     expect_error(function() shadow.extrusion(box, "vertex"):draw(shader.load "extrude_vertex", {}) end,
                  "give light in the draw's table")
+    local sun = vec4(0, 1, 0, 0)
+    expect_error(function() shadow.extrusion(box, "vertex", nil, { part = 2, light = sun }) end, "there is one")
+    expect_error(function() shadow.extrusion(box, "vertex", nil, 7) end, "options are a table")
     expect_error(function() shadow.extrusion(mesh.grid(1, 1, 400, 400, function() return 0 end), "vertex") end,
                  "320000 triangles")
   end)

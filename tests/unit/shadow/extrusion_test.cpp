@@ -23,17 +23,20 @@ struct Surface {
   std::vector<std::uint32_t> indices;
 };
 
-/// What the shader leaves of the doubled mesh.
-Surface shaded(const DoubledMesh& mesh, const ExtrusionOrder& order, const FacingPlanes& planes,
-               glm::dvec4 light) {
+/// What the shader leaves of the doubled mesh of a run.
+Surface shaded(const VolumeBuilder& builder, glm::dvec4 light, TriangleRange part = {}) {
+  const FacingPlanes& planes = builder.facing();
+  const DoubledMesh mesh = doubled_mesh(planes, part);
   const auto scaled = planes.scaled(light);
-  const bool suffice = order.lit_faces_suffice(light);
+  const auto runs = ruled_runs(builder, light, part);
   Surface out;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const bool lit_alone = suffice && i < order.closed * DoubledMesh::indices_a_triangle;
+    const std::size_t triangle = part.first + i / DoubledMesh::indices_a_triangle;
+    const auto run = std::find_if(runs.begin(), runs.end(),
+                                  [&](const RuledRun& r) { return triangle < r.triangles.last; });
     const auto count = [&](const glm::vec4& plane) {
       const float side = glm::dot(plane, scaled.light);
-      return side > scaled.bound ? 1 : side < -scaled.bound && !lit_alone ? -1 : 0;
+      return side > scaled.bound ? 1 : side < -scaled.bound && !run->lit_faces_alone ? -1 : 0;
     };
     std::array<glm::dvec4, 3> corners;
     bool drawn = true;
@@ -72,9 +75,7 @@ std::optional<glm::dvec4> lit_point(const Adjacency& mesh, glm::dvec4 light, std
 
 void expect_shadow(const Adjacency& mesh, glm::dvec4 light, int points, unsigned seed) {
   std::mt19937 random(seed);
-  const FacingPlanes planes(mesh.positions, mesh.triangles);
-  const ExtrusionOrder order = extrusion_order(mesh);
-  const Surface surface = shaded(doubled_mesh(mesh, planes, order), order, planes, light);
+  const Surface surface = shaded(VolumeBuilder(mesh), light);
   const auto open = lit_point(mesh, light, random);
   ASSERT_TRUE(open);
   int told = 0;
@@ -124,11 +125,12 @@ TEST(Extrusion, is_a_closed_surface_for_any_caster_and_light) {
   for (const Caster& caster : casters()) {
     SCOPED_TRACE(caster.name);
     const Adjacency mesh = scene::adjacency(caster.mesh);
-    const FacingPlanes planes(mesh.positions, mesh.triangles);
-    const ExtrusionOrder order = extrusion_order(mesh);
-    const DoubledMesh doubled = doubled_mesh(mesh, planes, order);
+    const VolumeBuilder builder(mesh);
     for (int trial = 0; trial < 8; ++trial) {
-      const Surface surface = shaded(doubled, order, planes, random_point(random, 2));
+      // Of the whole, and of some run of it.
+      const std::size_t first = trial < 4 ? 0 : random() % builder.triangle_count();
+      const TriangleRange run{first, trial < 4 ? builder.triangle_count() : first + 40};
+      const Surface surface = shaded(builder, random_point(random, 2), run);
       std::vector<std::pair<glm::dvec4, glm::dvec4>> there, back;
       for (std::size_t i = 0; i < surface.indices.size(); ++i) {
         const std::size_t k = i % 3 == 2 ? i - 2 : i + 1;
@@ -150,28 +152,57 @@ TEST(Extrusion, is_a_closed_surface_for_any_caster_and_light) {
 TEST(Extrusion, of_a_closed_caster_has_the_triangles_that_the_builder_has) {
   for (const Mesh& caster : {bare(scene::box()), bare(scene::torus(0.6, 0.25, 20, 10))}) {
     const Adjacency mesh = scene::adjacency(caster);
-    const FacingPlanes planes(mesh.positions, mesh.triangles);
-    const ExtrusionOrder order = extrusion_order(mesh);
     const glm::dvec4 light(2, 3, 1, 1);
     VolumeBuilder builder(mesh);
-    const Surface surface = shaded(doubled_mesh(mesh, planes, order), order, planes, light);
+    const Surface surface = shaded(builder, light);
     EXPECT_EQ(surface.indices.size(), builder.build(light).all.size());
   }
 }
 
-TEST(Extrusion, puts_closed_components_first_and_counts_all_faces_with_the_light_in_a_box) {
+TEST(Extrusion, rules_components_as_the_builder_does) {
   const Mesh ball = bare(scene::sphere(0.8, 16, 9));
-  const Adjacency mesh =
-      scene::adjacency(joined(joined(mobius(), ball), turned_round(moved(ball, {5, 0, 0}))));
-  const ExtrusionOrder order = extrusion_order(mesh);
-  ASSERT_EQ(order.boxes.size(), 1u);
-  EXPECT_EQ(order.closed, scene::adjacency(ball).triangles.size());
-  for (std::size_t i = 0; i < order.triangles.size(); ++i) {
-    EXPECT_EQ(mesh.component[order.triangles[i]] == 1, i < order.closed);
+  const std::size_t each = scene::adjacency(ball).triangles.size();
+  const VolumeBuilder builder(
+      joined(joined(ball, turned_round(moved(ball, {5, 0, 0}))), moved(mobius(), {0, 9, 0})));
+  const auto ends = [&](glm::dvec4 light, TriangleRange run) {
+    std::vector<std::pair<std::size_t, bool>> found;
+    for (const RuledRun& r : ruled_runs(builder, light, run))
+      found.emplace_back(r.triangles.last, r.lit_faces_alone);
+    return found;
+  };
+  using Ends = std::vector<std::pair<std::size_t, bool>>;
+  const std::size_t all = builder.triangle_count();
+  EXPECT_EQ(ends({0, 3, 0, 1}, {}), (Ends{{2 * each, true}, {all, false}}));
+  EXPECT_EQ(ends({0, 0.1, 0, 1}, {}), (Ends{{each, false}, {2 * each, true}, {all, false}}));
+  EXPECT_EQ(ends({0, 3, 0, 1}, {10, 20}), (Ends{{20, true}}));
+}
+
+TEST(Extrusion, of_parts_adds_up_to_that_of_the_whole) {
+  const Adjacency mesh = scene::adjacency(scene::torus(0.6, 0.25, 20, 10));
+  const VolumeBuilder builder(mesh);
+  std::mt19937 random(3);
+  const glm::dvec4 light(2, 3, 1, 1);
+  const auto open = lit_point(mesh, light, random);
+  ASSERT_TRUE(open);
+  const Surface whole = shaded(builder, light);
+  std::vector<Surface> parts;
+  for (std::size_t first = 0; first < builder.triangle_count(); first += 37)
+    parts.push_back(
+        shaded(builder, light, {first, std::min(first + 37, builder.triangle_count())}));
+  for (int i = 0; i < 300; ++i) {
+    const glm::dvec4 p = random_point(random, 1.5);
+    const auto expected = winding(whole.positions, whole.indices, p, *open);
+    int sum = 0;
+    bool told = expected.has_value();
+    for (const Surface& part : parts) {
+      const auto count = winding(part.positions, part.indices, p, *open);
+      told = told && count.has_value();
+      sum += count.value_or(0);
+    }
+    if (told) {
+      ASSERT_EQ(sum, *expected);
+    }
   }
-  EXPECT_TRUE(order.lit_faces_suffice({0, 3, 0, 1}));
-  EXPECT_FALSE(order.lit_faces_suffice({0, 0.1, 0, 1}));
-  EXPECT_EQ(ordered_with_adjacency(mesh, order).size(), mesh.triangles.size() * 6);
 }
 
 }  // namespace
