@@ -2695,6 +2695,12 @@ function shadow.silhouette(mesh, model, light) end
 ---@return any
 function shadow.extrusion(mesh, values, model) end
 
+---n points on an area light, each a light of its own (w = 1); "owen", Sobol's sequence under Owen's scrambling, unless another pattern is given. A light is { center = , u = , v = }, a rectangle of these half-axes, the same with disk = true, an ellipse, or { center = , radius = }, a sphere; a point gives itself n times. The same seed (0) gives the same points; of "random", "r2", "sobol" and "owen" the first points of many are the points of fewer.
+---
+---`shadow.samples(light, n, "random"|"jitter"|"grid"|"hammersley"|"r2"|"sobol"|"owen", seed) -> {vec4, …}`
+---@return table
+function shadow.samples(light, n, values, seed) end
+
 ---The exact, ray-traced visibility at each pixel, in [0, 1], as a gl.R32F texture of the picture's size: texelFetch it at gl_FragCoord.
 ---
 ---`shadow.truth(scene, camera, light, {samples = , pattern = , seed = , error = }) -> texture`

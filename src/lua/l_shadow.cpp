@@ -3,6 +3,7 @@
 
 #include "lua/boxes.h"
 #include "lua/modules.h"
+#include "lua/sampling.h"
 #include "lua/truth_pool.h"
 #include "lua/volume_pool.h"
 #include "shadow/infinite_perspective.h"
@@ -113,6 +114,7 @@ void open_shadow(Stage& stage) {
   set_functions(L, map_functions());
   set_functions(L, volume_functions());
   set_functions(L, extrusion_functions());
+  set_functions(L, sample_functions());
   set_functions(L, truth_functions());
   refuse_unknown_names(L, -1, "shadow");
   lua_setglobal(L, "shadow");

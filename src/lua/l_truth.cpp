@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "lua/object.h"
+#include "lua/sampling.h"
 #include "lua/truth_pool.h"
-#include "shadow/samples.h"
 
 namespace shadowlab::lua {
 namespace {
@@ -42,14 +42,9 @@ truth::Sampling read_sampling(lua_State* L, int index) {
         throw InputError("shadow.truth: samples is from 1 to 65536");
       sampling.samples = static_cast<int>(samples);
     } else if (key == "pattern") {
-      const char* text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-      const auto pattern = shadow::pattern_named(text);
-      if (!pattern)
-        throw InputError(fmt::format("shadow.truth: there is no pattern \"{}\"{}", text,
-                                     did_you_mean(text, shadow::pattern_names())));
-      sampling.pattern = *pattern;
+      sampling.pattern = read_pattern(L, lua_gettop(L), "shadow.truth");
     } else if (key == "seed") {
-      sampling.seed = static_cast<std::uint64_t>(std::abs(read<double>(L, -1, "seed")));
+      sampling.seed = read_seed(L, lua_gettop(L), "shadow.truth");
     } else if (key == "error") {
       sampling.error = read<double>(L, -1, "error");
       if (!(*sampling.error > 0)) throw InputError("shadow.truth: error is over 0");

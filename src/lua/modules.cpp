@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lua/boxes.h"
+#include "lua/sampling.h"
 #include "lua/volume_pool.h"
 
 namespace shadowlab::lua {
@@ -35,6 +36,7 @@ std::vector<Module> all_modules() {
   modules.push_back({"shadow", "Shadow maps.", map_functions()});
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
   modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});
+  modules.push_back({"shadow", "Soft light.", sample_functions()});
   modules.push_back({"shadow", "The exact visibility.", truth_functions()});
   modules.push_back({"fbo",
                      "Short forms for the common targets; gl.GenFramebuffers and its like are the "
