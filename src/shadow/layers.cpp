@@ -11,7 +11,7 @@ namespace {
 // Of the part of a direction that rounding may take: that of a few operations in double.
 constexpr double rounding = 1e-14;
 constexpr int deepest = 14;
-// Looks at each triangle and edge, on average, before the bound found so far has to do.
+// Cells in which each triangle is looked for, on average, before bounds found so far have to do.
 constexpr std::size_t tests_each = 20;
 constexpr std::size_t least_tests = 20'000;
 constexpr std::uint32_t none = 0xFFFFFFFF;
@@ -44,6 +44,9 @@ std::span<const Part> Layers::parts(glm::dvec4 light, std::size_t most) {
   for (std::size_t c = 0; c < closed.size(); ++c) {
     crossed_twice_[c] = closed[c].component.lit_faces_suffice(light) ? 0 : 1;
   }
+  toward_middle_ = toward_middle();
+  frame_.reset();
+  tests_left_ = tests_each * chain_.size() + least_tests;
   split({0, builder_.triangle_count()});
   return parts_;
 }
@@ -81,7 +84,10 @@ std::size_t Layers::bound(TriangleRange range) {
     if (chain_[t] != 0) triangles_.push_back(static_cast<Index>(t));
   }
   const std::size_t sum = weight(triangles_);
-  if (sum <= enough()) return sum;
+  // The builder looks at all triangles, eight at a time.
+  const std::size_t tests = triangles_.size() + chain_.size() / 8;
+  if (sum <= enough() || tests_left_ < tests) return sum;
+  tests_left_ -= tests;
   edges_.clear();
   const auto sides = builder_.build(light_, {.caps = Caps::none, .triangles = range}).sides;
   for (std::size_t i = 0; i < sides.size(); i += light_.w == 0 ? 3 : 6) {
@@ -89,8 +95,9 @@ std::size_t Layers::bound(TriangleRange range) {
   }
   const Cell all{{}, 0, 0, triangles_.size(), edges_.size(), sum, 0};
   cells_.clear();
+  too_many_ = false;
   // All within sight around the way to the middle, or else a cube's six faces.
-  look_along(toward_middle());
+  look_along(toward_middle_);
   if (const auto window = around(triangles_)) {
     look_into(*window, all);
     return quartered();
@@ -116,11 +123,12 @@ std::size_t Layers::bound(TriangleRange range) {
 // The bound for all cells: that of the worst, which is quartered until that is little or in vain.
 std::size_t Layers::quartered() {
   const auto less = [](const Cell& a, const Cell& b) { return a.layers < b.layers; };
-  const std::size_t enough_tests = triangles_.size() * tests_each + least_tests;
   while (true) {
     const Cell worst = cells_.front();
-    if (worst.layers <= enough() || worst.depth == deepest) return worst.layers;
-    if (triangles_.size() + edges_.size() > enough_tests) return worst.layers;
+    const std::size_t tests = worst.triangles_end - worst.triangles + worst.edges_end - worst.edges;
+    if (worst.layers <= enough() || worst.depth == deepest || too_many_ || tests > tests_left_)
+      return worst.layers;
+    tests_left_ -= tests;
     std::pop_heap(cells_.begin(), cells_.end(), less);
     cells_.pop_back();
     const glm::dvec2 middle = (worst.window.low + worst.window.high) * 0.5;
@@ -150,9 +158,10 @@ void Layers::look_into(const Window& window, const Cell& all) {
   const auto triangles = std::span(triangles_).subspan(cell.triangles);
   const std::size_t edges = cell.edges_end - cell.edges;
   cell.layers = std::min(all.layers, weight(triangles));
-  if (cell.layers > edges) {
-    const glm::dvec2 middle = (window.low + window.high) * 0.5;
-    cell.layers = std::min(cell.layers, edges + met_along(middle, triangles));
+  if (cell.layers > edges || all.depth == 0) {
+    const Met met = met_along((window.low + window.high) * 0.5, triangles);
+    cell.layers = std::min(cell.layers, edges + met.most);
+    too_many_ = too_many_ || met.least > most_;
   }
   cells_.push_back(cell);
 }
@@ -171,21 +180,23 @@ bool Layers::reaches_into(std::span<const Index> vertices, const Window& window)
   return !(left || right || under || over || behind);
 }
 
-// How many triangles the ray meets, those included that it may only touch.
-std::size_t Layers::met_along(glm::dvec2 direction, std::span<const Index> triangles) const {
+Layers::Met Layers::met_along(glm::dvec2 direction, std::span<const Index> triangles) const {
   const glm::dvec3 ray(direction, 1);
-  std::size_t met = 0;
+  Met met;
   for (const Index t : triangles) {
     const auto& corners = builder_.facing().triangles()[t];
-    bool ccw = true, cw = true;
+    bool ccw = true, cw = true, certain = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 p(seen_[corners[k]]), q(seen_[corners[(k + 1) % 3]]);
       const double side = glm::dot(glm::cross(p, q), ray);
       const double error = 10 * rounding * size_of(p) * size_of(q) * size_of(ray);
       ccw = ccw && side >= -error;
       cw = cw && side <= error;
+      // In front of the light too, or the ray meets it the other way.
+      certain = certain && std::abs(side) > error && p.z > 0;
     }
-    met += ccw || cw ? 1 : 0;
+    met.most += ccw || cw ? 1 : 0;
+    met.least += (ccw || cw) && certain ? 1 : 0;
   }
   return met;
 }
@@ -212,6 +223,8 @@ glm::dmat3 Layers::toward_middle() const {
 }
 
 void Layers::look_along(const glm::dmat3& frame) {
+  if (frame_ == frame) return;
+  frame_ = frame;
   const auto positions = builder_.facing().positions();
   const glm::dvec3 light(light_);
   for (std::size_t i = 0; i < positions.size(); ++i) {

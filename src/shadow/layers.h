@@ -57,7 +57,11 @@ class Layers {
   void look_into(const Window& window, const Cell& all);
   std::size_t quartered();
   std::size_t weight(std::span<const Index> triangles) const;
-  std::size_t met_along(glm::dvec2 direction, std::span<const Index> triangles) const;
+  /// How many triangles a ray meets, for certain and up to rounding.
+  struct Met {
+    std::size_t least = 0, most = 0;
+  };
+  Met met_along(glm::dvec2 direction, std::span<const Index> triangles) const;
   bool reaches_into(std::span<const Index> vertices, const Window& window) const;
   glm::dmat3 toward_middle() const;
   void look_along(const glm::dmat3& frame);
@@ -71,11 +75,16 @@ class Layers {
   std::size_t most_ = 0;
   std::vector<Part> parts_;
   std::vector<std::int8_t> chain_;
-  // Vertices as the light sees them: (x, y, w), at x/w, y/w, with the rounding error of each.
+  glm::dmat3 toward_middle_{1};
+  // Vertices as the light sees them along a frame: (x, y, w), at x/w, y/w, with a bound of the
+  // error.
+  std::optional<glm::dmat3> frame_;
   std::vector<glm::dvec4> seen_;
   std::vector<Index> triangles_;
   std::vector<std::array<Index, 2>> edges_;
   std::vector<Cell> cells_;  ///< a heap: the one with the most layers first
+  bool too_many_ = false;    ///< a ray meets more than most_
+  std::size_t tests_left_ = 0;
 };
 
 }  // namespace shadowlab::shadow

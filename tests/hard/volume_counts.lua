@@ -88,6 +88,26 @@ test("one_component_that_a_ray_crosses_300_times_is_the_truth", function()
   given.expect_truth(world, vec4(0.3, 1, 0.2, 0))
 end)
 
+test("parts_are_as_many_as_layers_need_and_others_are_refused", function()
+  given.world = given.world_of(casters_of{ given.joined(nest(300)), mesh.box(1) })
+  local here = scene.load "given"
+  local many, one = shadow.parts(here.casters[1], nil, light), shadow.parts(here.casters[2], nil, light)
+  expect_equal(#one, 1)
+  expect_equal(one[1], 1)
+  expect(#many >= 3, "300 layers in " .. #many .. " parts")
+  local triangles = 0
+  for part, layers in ipairs(many) do
+    expect(layers <= 127, "part " .. part .. " has " .. layers)
+    triangles = triangles + shadow.volume(here.casters[1], nil, light, { part = part }).triangles
+  end
+  -- Where a box is cut in two each half has sides along the cut.
+  expect(triangles >= shadow.volume(here.casters[1], nil, light).triangles)
+  expect_error(function() shadow.volume(here.casters[2], nil, light, { part = 2 }) end,
+               "there is no part 2; for this light there is one")
+  expect_error(function() shadow.volume(here.casters[1], nil, light, { part = 1000 }) end, "there is no part 1000")
+  expect_error(function() shadow.volume(here.casters[2], nil, light, { part = 0.5 }) end, "part is a number from 1")
+end)
+
 -- ---- 12: the camera inside of volumes
 
 -- Boards over the eye, which looks at what is below them.
