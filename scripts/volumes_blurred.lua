@@ -4,8 +4,9 @@
 --   even     blurred all alike: too soft at the contact, too hard far from it
 --   contact  one more pass draws the volume's sides into a framebuffer object, where each knows how far
 --            from the light its edge is; the blur's width follows from that
--- What a picture does not show cannot be blurred in: a shadow that comes from behind something, or an
--- umbra that the blur would have to open from beyond the picture's border, stays as it is.
+-- What the picture does not show cannot be blurred in: where the outline of a shadow is hidden, or
+-- beyond the border, or beyond the receiver's end, it stays as it is. Where outlines of casters near and
+-- far cross, one width stands for both. A light that reaches into a caster is no light.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
 
@@ -148,7 +149,9 @@ function recipe.draw(r)
       gl.BindFramebuffer(gl.FRAMEBUFFER, r.seen_target)
       gl.ClearColor(0, 0, 0, 0)
       gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
-      scene:draw(r.surface, { view = view, projection = projection })
+      for _, object in ipairs(scene.objects) do
+        object:draw(r.surface, { view = view, projection = projection, casts = object.role ~= "receiver" })
+      end
     end)
 
     if r.params.blur == "contact" then

@@ -66,7 +66,8 @@ void main() {
   vec4 seen = texelFetch(surface, pixel, 0);
   visibility = texelFetch(hard, pixel, 0).r;
   if (seen.w == 0.0) return;
-  vec3 p = seen.xyz, n = texelFetch(normals, pixel, 0).xyz;
+  vec4 facing = texelFetch(normals, pixel, 0);
+  vec3 p = seen.xyz, n = facing.xyz;
   vec2 size = vec2(textureSize(surface, 0));
   float footprint = -2.0 * p.z / (projection[1][1] * size.y);  // of a pixel, metres
 
@@ -80,15 +81,16 @@ void main() {
     }
   } else {
     float edge = casting_distance(pixel, p, n, footprint), height = dot(n, light.xyz - p);
+    bool casts = facing.w > 0.0;  // what only receives hides no light, not even from its other side
     // No edge is near, and the surface itself hides all of the light or none.
-    if (edge < 0.0 && abs(height) >= radius) return;
+    if (edge < 0.0 && (!casts || abs(height) >= radius)) return;
     float fraction = 1.0 - edge / length(p - light.xyz);
     for (int i = 0; i < AVERAGED; ++i) {
       vec3 to_light = light.xyz + radius * on_sphere(i, AVERAGED) - p;
       float seen_here = edge < 0.0 ? visibility : 1.0;
-      if (dot(n, to_light) <= 0.0) {
+      if (casts && dot(n, to_light) <= 0.0) {
         seen_here = 0.0;  // by the surface itself
-      } else if (height <= 0.0) {
+      } else if (casts && height <= 0.0) {
         seen_here = 1.0;  // the light's centre is below the horizon: its shadow says nothing
       } else if (edge >= 0.0) {
         // The caster's point on the ray from p to this point of the light, and then the receiver's p'.
