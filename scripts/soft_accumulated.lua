@@ -1,0 +1,145 @@
+-- The shadow of a light with a size: hard shadows of N points on it, averaged in the accumulation buffer.
+-- Any hard shadow will do, and any set of points; their error against all of the light falls with N, for
+-- random points as N^-1/2, for those that are spread evenly nearly as N^-3/4 to N^-1.
+--   volumes  counted by z-fail for each point; right wherever a point's shadow is
+--   maps     a shadow map for each point; a point among its casters has none
+-- The storage says what the average loses: recipe banding.
+local batches_of = require "parts.batches"
+local draw_lit = require "parts.draw_lit"
+local lamp = require "parts.lamp"
+local map_pass = require "parts.map_pass"
+local own_shadow = require "parts.own_shadow"
+
+local recipe = {
+  title   = "Soft shadows, accumulated",
+  lecture = "002_b957b372f85420d1: Soft shadows; 003_dcbdf1292070997a",
+  scene   = "table",
+  truth   = "soft",
+  params  = {
+    light     = param.point(2, 4, 1),
+    radius    = param.number(0.25, 0, 4),       -- of the light; half the side of a square one
+    shape     = param.choice("sphere", "square", "disk"),
+    technique = param.choice("volumes", "maps"),
+    samples   = param.integer(16, 1, 4096),
+    pattern   = param.choice("owen", "random", "jitter", "grid", "hammersley", "r2", "sobol"),
+    seed      = param.integer(1, 0, 1000000),   -- 0 is the truth's
+    storage   = param.choice("snorm16", "snorm8", "float16", "float32"),
+    size      = param.integer(1024, 16, 4096),  -- of the maps
+    darkness  = param.number(0.25, 0, 1),
+  },
+  keys      = { ["["] = "multiply samples 0.5", ["]"] = "multiply samples 2", p = "next pattern",
+                t = "next technique", ["+"] = "multiply radius 1.25", ["-"] = "multiply radius 0.8" },
+  sweep     = { samples = { 1, 4, 16, 64, 256 } },
+}
+
+local function points_of(params)
+  return shadow.samples(lamp(params.light, params.shape, params.radius), params.samples, params.pattern, params.seed)
+end
+
+-- A lamp has a radius; for a direction there is none. Each map needs its point outside of the casters.
+function recipe.holds(r)
+  if r.params.light.w == 0 then return false end
+  if r.params.technique == "volumes" then return true end
+  for _, point in ipairs(points_of(r.params)) do
+    if not pcall(shadow.light_view, point, r.scene) then return false end
+  end
+  return true
+end
+
+function recipe.setup(r)
+  r.phong = shader.load "phong"
+  r.volume = shader.load "volume"
+  r.flat = shader.load "flat"
+  r.mapped = shader.load "shadow_map"
+  r.quad = mesh.quad()
+  if r.params.technique == "maps" then r.fbo, r.map = map_pass.make(r.params.size) end
+end
+
+-- The passes of volumes_zfail, but for the depth, which no light changes.
+local function draw_volumes(r, seen, light)
+  local scene, batches = r.scene, batches_of(r.scene.casters, light)
+  local at = { view = seen.view, projection = seen.projection, light = light }
+  gl.StencilMask(0xFF)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+  gl.Enable(gl.STENCIL_TEST)
+  gl.DepthMask(false)
+  gl.ColorMask(false, false, false, false)
+  for _, batch in ipairs(batches) do
+    local volumes = {}
+    for k, drawn in ipairs(batch) do
+      volumes[k] = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
+    end
+    own_shadow(volumes, r.volume, at)
+    gl.StencilFunc(gl.ALWAYS, 0, 0)
+    gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
+    gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
+    for _, volume in ipairs(volumes) do volume:draw(r.volume, at) end
+    if #batches > 1 then
+      gl.StencilMask(0xFF)
+      gl.StencilFunc(gl.NOTEQUAL, 0x80, 0x7F)
+      gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
+      gl.Disable(gl.DEPTH_TEST)
+      r.quad:draw(r.flat)
+      gl.Enable(gl.DEPTH_TEST)
+    end
+  end
+  gl.ColorMask(true, true, true, true)
+  gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+  gl.DepthFunc(gl.LEQUAL)
+  gl.Disable(gl.POLYGON_OFFSET_FILL)
+  at.ambient = r.params.darkness
+  for _, part in ipairs{ { gl.NOTEQUAL, 0 }, { gl.EQUAL, 1 } } do
+    gl.StencilFunc(part[1], 0, 0xFF)
+    at.lit = part[2]
+    scene:draw(r.phong, at)
+  end
+  gl.Disable(gl.STENCIL_TEST)
+end
+
+-- The passes of shadow_map_fbo.
+local function draw_map(r, seen, light)
+  local light_view, light_projection = shadow.light_view(light, r.scene)
+  gl.DepthMask(true)
+  gl.DepthFunc(gl.LESS)
+  map_pass.draw(r, r.fbo, r.params.size, r.scene.caster, r.flat, light_view, light_projection,
+                shadow.map_bias(light_projection, r.params.size))
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+  gl.BindTexture(gl.TEXTURE_2D, r.map)
+  draw_lit(r.scene, r.mapped, {
+    view = seen.view, projection = seen.projection, light = light, shadow_map = 0, ambient = r.params.darkness,
+    light_matrix = shadow.bias_matrix() * light_projection * light_view * seen.view:inverse(),
+  })
+end
+
+function recipe.draw(r)
+  local camera, points = r.scene.camera, points_of(r.params)
+  local seen = { view = camera:view(), light = r.params.light,
+                 projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near) }
+
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  fbo.accumulation(r.params.storage)
+  gl.Clear(gl.ACCUM_BUFFER_BIT | gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+
+  if r.params.technique == "volumes" then
+    pass("the scene in the depth buffer", function()
+      gl.Enable(gl.DEPTH_TEST)
+      gl.ColorMask(false, false, false, false)
+      r.scene:draw(r.phong, seen)
+    end)
+  end
+
+  local draw_hard = r.params.technique == "volumes" and draw_volumes or draw_map
+  for i, point in ipairs(points) do
+    pass("the hard shadow of point " .. i .. " of " .. #points, function()
+      draw_hard(r, seen, point)
+      gl.Accum(gl.ACCUM, 1 / #points)
+    end)
+  end
+
+  pass("the average", function()
+    gl.Accum(gl.RETURN, 1)
+  end)
+end
+
+return recipe
