@@ -74,18 +74,24 @@ shadow::TriangleRange run_argument(lua_State* L, int index, VolumeSource& source
 std::shared_ptr<VolumeSource::Extrudable> elements_of(Stage& stage, VolumeSource& source,
                                                       shadow::TriangleRange run,
                                                       Extrusion::Stage extruder) {
+  using shadow::DoubledMesh;
   if (source.extrudables.size() > most_runs) source.extrudables.clear();
   auto& elements = source.extrudables[{run.first, run.last}];
-  if (!elements) {
-    stage.state.check_budget(run.count() * 24);
-    elements = std::make_shared<VolumeSource::Extrudable>();
-  }
+  if (!elements) elements = std::make_shared<VolumeSource::Extrudable>(stage.state);
+  const bool vertex = extruder == Extrusion::Stage::vertex;
+  if (vertex ? elements->doubled != nullptr : elements->adjacent != nullptr) return elements;
+  stage.state.check_budget(run.count() * 24);
   const shadow::FacingPlanes& planes = source.builder.facing();
-  if (extruder == Extrusion::Stage::geometry) {
-    if (!elements->adjacent) elements->adjacent = upload_adjacent(stage.graphics, planes, run);
-  } else if (!elements->doubled) {
+  if (vertex) {
+    // And the faces alone, with three vertices and indices each.
+    elements->reserve(run.count() *
+                      ((DoubledMesh::vertices_a_triangle + 3) * sizeof(shadow::ExtrudedVertex) +
+                       (DoubledMesh::indices_a_triangle + 3) * sizeof(std::uint32_t)));
     elements->doubled = upload(stage.graphics, shadow::doubled_mesh(planes, run));
     elements->separate = upload(stage.graphics, shadow::separate_faces(planes, run));
+  } else {
+    elements->reserve(planes.positions().size_bytes() + run.count() * 6 * sizeof(std::uint32_t));
+    elements->adjacent = upload_adjacent(stage.graphics, planes, run);
   }
   return elements;
 }

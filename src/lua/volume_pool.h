@@ -35,10 +35,24 @@ struct VolumeSource {
   std::shared_ptr<gl::VolumeVertices> adjacency_vertices;
 
   /// What shaders extrude by themselves, of a run of the builder's triangles.
-  struct Extrudable {
+  class Extrudable {
+   public:
+    explicit Extrudable(State& state) : state_(state) {}
+    ~Extrudable() { state_.release(reserved_); }
+    Extrudable(const Extrudable&) = delete;
+    Extrudable& operator=(const Extrudable&) = delete;
+    /// Counts memory that the script holds by it. Throws InputError past the cap.
+    void reserve(std::size_t bytes) {
+      state_.reserve(bytes);
+      reserved_ += bytes;
+    }
     std::unique_ptr<gl::FixedElements> doubled;   ///< for the vertex shader
     std::unique_ptr<gl::FixedElements> separate;  ///< the triangles alone, for the same
     std::unique_ptr<gl::FixedElements> adjacent;  ///< for the geometry shader
+
+   private:
+    State& state_;
+    std::size_t reserved_ = 0;
   };
   /// By the run's first and last; each made when asked for.
   std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<Extrudable>> extrudables;

@@ -129,6 +129,20 @@ test("a_doubled_mesh_has_eight_triangles_for_each_and_adjacency_one", function()
   end)
 end)
 
+test("a_caster_without_an_area_throws_nothing", function()
+  local needle = mesh.new{ positions = { vec3(0), vec3(1, 0, 0), vec3(2, 0, 0) }, indices = { 0, 1, 2 } }
+  for _, extruder in ipairs(extruders) do
+    expect_equal(shadowed(counted(extruder, needle, above, lamp)), 0, extruder)
+  end
+end)
+
+test("the_other_extruder_s_shader_is_refused", function()
+  frame(16, 16, function()
+    local extrusion = shadow.extrusion(mesh.box(1, 1, 1), "vertex")
+    expect_error(function() extrusion:draw(shader.load "extrude_geometry", { light = lamp }) end, "INVALID_OPERATION")
+  end)
+end)
+
 test("what_an_extrusion_does_not_take_is_said", function()
   frame(16, 16, function()
     local box = mesh.box(1, 1, 1)
