@@ -37,6 +37,7 @@ std::vector<Module> all_modules() {
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
   modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});
   modules.push_back({"shadow", "Soft light.", sample_functions()});
+  modules.push_back({"shadow", "What a frame needs.", plan_functions()});
   modules.push_back({"shadow", "The exact visibility.", truth_functions()});
   modules.push_back({"fbo",
                      "Short forms for the common targets; gl.GenFramebuffers and its like are the "

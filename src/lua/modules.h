@@ -41,6 +41,7 @@ std::span<const Entry> object_methods();
 std::span<const Entry> camera_methods();
 std::span<const Entry> shadow_functions();
 std::span<const Entry> map_functions();
+std::span<const Entry> plan_functions();
 std::span<const Entry> volume_functions();
 std::span<const Entry> volume_methods();
 std::span<const Entry> truth_functions();

@@ -1,0 +1,14 @@
+// A plan in words, for `shadowlab run --explain`.
+#pragma once
+
+#include "lua/stage.h"
+#include "shadow/plan.h"
+
+namespace shadowlab::lua {
+
+/// What was kept and dropped, why, and the pixels, triangles and bytes that it saves against z-fail
+/// for all casters. The volumes of dropped casters are built to be counted: for explanations alone.
+void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
+                  const shadow::Plan& plan);
+
+}  // namespace shadowlab::lua

@@ -1,0 +1,65 @@
+// What a frame of shadow volumes needs, found from boxes alone, so that the rest is neither built
+// nor drawn. The picture stays the same, pixel for pixel: what is left out would have counted zero
+// at every pixel that the scene covers.
+//
+//  - A caster whose shadow meets no box of the scene that the camera sees is dropped. (A caster
+//    that is seen itself meets its own.)
+//  - Of the others, z-fail and its caps only where z-pass would be wrong (shadow/zfail.h).
+//  - Each volume counts only where its shadow meets such a box: inside the pixels that the scissor
+//    leaves.
+//
+// Boxes grow by what GL's arithmetic may move a surface: floats, corners at 1/256 of a pixel, depth
+// of 24 bits and the volumes' offset. The far plane is at infinity.
+//
+// Sources: D. Lloyd, J. Wendt, N. Govindaraju, D. Manocha, CC Shadow Volumes, 2004 (casters culled
+// by potential receivers); M. McGuire et al., Fast, Practical and Robust Shadows, 2003 (volumes
+// outside the view, z-pass or z-fail for each, scissor by bounds).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/scene.h"
+#include "shadow/zfail.h"
+
+namespace shadowlab::shadow {
+
+/// Pixels from (x, y) on, as glScissor counts them: from the picture's lower left corner.
+struct PixelRectangle {
+  int x = 0, y = 0, width = 0, height = 0;
+  std::int64_t area() const { return std::int64_t{width} * height; }
+  friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
+};
+
+struct Plan {
+  /// Objects by their index in the scene, in its order.
+  struct Kept {
+    std::size_t object;
+    std::optional<Parting> apart;  ///< from the near pyramid: z-pass is right; else z-fail
+    PixelRectangle scissor;        ///< outside of it the volume counts zero
+  };
+  enum class Why {
+    outside_view,   ///< neither the caster nor its shadow is in the camera's view
+    meets_nothing,  ///< its shadow enters the view, but none of the boxes seen there
+  };
+  struct Dropped {
+    std::size_t object;
+    Why why;
+  };
+  std::vector<Kept> casters;
+  std::vector<Dropped> dropped;
+  std::vector<std::size_t> seen;      ///< objects whose box the camera sees
+  std::vector<std::size_t> shadowed;  ///< those of them that a kept caster's shadow meets
+  PixelRectangle shadows;             ///< holds every scissor
+};
+
+/// `light` in world space, w = 0 or w > 0, a point or a direction. `picture` in pixels. Throws
+/// InputError as Camera::view, Camera::projection, normalized_light and for a caster whose model
+/// matrix is singular.
+Plan plan(const scene::Scene& scene, const scene::Camera& camera, glm::dvec4 light,
+          glm::ivec2 picture);
+
+}  // namespace shadowlab::shadow
