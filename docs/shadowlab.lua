@@ -2701,6 +2701,12 @@ function shadow.extrusion(mesh, values, model) end
 ---@return table
 function shadow.samples(light, n, values, seed) end
 
+---What a frame of shadow volumes needs, for the same picture pixel for pixel: casters whose volume can reach what the camera sees, and of each whether it needs z-fail and its caps, and outside of which pixels it counts zero. seen: the objects to draw; shadowed: those of them that a shadow may reach; scissor: where. The light is a point or a direction.
+---
+---`shadow.plan(scene, camera, light) -> {casters = {object, …}, needs = {[caster] = {zfail = boolean, scissor = {x, y, width, height}}}, scissor = , seen = {object, …}, shadowed = {object, …}, dropped = {object, …}}`
+---@return table
+function shadow.plan(scene, camera, light) end
+
 ---The exact, ray-traced visibility at each pixel, in [0, 1], as a gl.R32F texture of the picture's size: texelFetch it at gl_FragCoord.
 ---
 ---`shadow.truth(scene, camera, light, {samples = , pattern = , seed = , error = }) -> texture`
