@@ -1,4 +1,4 @@
--- Shadows that harden toward the contact, from one map of a square light's middle: a search for blockers
+-- Shadows that harden toward the contact, from one map of the light's middle: a search for blockers
 -- says how far before the receiver they are, and that how wide to filter. Right for one blocker parallel
 -- to the light; several at different depths are taken for one at their mean.
 local draw_lit = require "parts.draw_lit"
@@ -8,14 +8,21 @@ local recipe = {
   title   = "Percentage-closer soft shadows",
   lecture = "003_dcbdf1292070997a: la sombra más cercana al oclusor está más definida",
   scene   = "table",
+  truth   = "soft",
   params  = {
-    light = param.point(2, 4, 1),
-    width = param.number(0.3, 0.001, 4),      -- half of the light's side, metres
-    size  = param.integer(1024, 16, 4096),
-    taps  = param.integer(12, 1, 32),         -- a side of the filter's square
+    light  = param.point(2, 4, 1),
+    radius = param.number(0.25, 0.001, 4),    -- of the light; half the side of a square one
+    shape  = param.choice("sphere", "square"),
+    size   = param.integer(1024, 16, 4096),
+    taps   = param.integer(12, 1, 32),        -- squared: 144 for the search, and as many to filter
   },
   sweep   = { taps = { 4, 8, 16, 32 } },
 }
+
+-- The square is parallel to the map, and both have a place.
+function recipe.holds(r)
+  return r.params.light.w > 0 and pcall(shadow.light_view, r.params.light, r.scene)
+end
 
 function recipe.setup(r)
   r.depth = shader.load "flat"
@@ -27,7 +34,7 @@ function recipe.draw(r)
   local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
   local light_view, light_projection, near, far = shadow.light_view(light, scene)
   -- Room around the casters for the parts of them that only the light's edge sees.
-  local room = 1 + r.params.width * (1 / near - 1 / far)
+  local room = 1 + r.params.radius * (1 / near - 1 / far)
                  * math.max(light_projection:row(1).x, light_projection:row(2).y)
   light_projection = mat4.scale(1 / room, 1 / room, 1) * light_projection
 
@@ -44,7 +51,8 @@ function recipe.draw(r)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
-      half_width = r.params.width, taps = r.params.taps, near = near, far = far,
+      half_width = r.params.radius, taps = r.params.taps,
+      sphere = r.params.shape == "sphere", near = near, far = far,
       per_tangent = vec2(light_projection:row(1).x, light_projection:row(2).y) / 2,
     })
   end)

@@ -9,7 +9,7 @@ test("one_occluder_parallel_to_a_square_light_has_the_exact_ramp", function()
   for _, s in ipairs { 0.1, 0.25, 0.5 } do
     local size, taps = 2048, 32
     local p = s * h / (H - h)
-    local picture = visibility.render("ramp_pcss", "ramp", { width = s, size = size, taps = taps })
+    local picture = visibility.render("ramp_pcss", "ramp", { radius = s, shape = "square", size = size, taps = taps })
     -- A texel, on the floor: the map is the plate's and its margin's, seen from 4 metres.
     local texel = 2 * (1 + s) * H / (H - h) / size
     local ramp = 0
@@ -48,5 +48,34 @@ test("moments_of_two_depths_give_the_filters_exact_ramp", function()
       end
     end
     expect(ramp > 4, kind .. ": " .. ramp)
+  end
+end)
+
+-- Percentage-closer filtering over the same edge: the ramp is as wide as its filter in the map, wherever
+-- the plate is; a square light's would be s h / (H - h), so one width of filter is right at one height.
+test("a_filter_of_comparisons_gives_a_ramp_of_its_own_width", function()
+  local H, size, number = 4, 128, 8
+  local viewer = analytic.viewer(scene.load("ramp").camera, visibility.size, visibility.size)
+  local _, projection = shadow.light_view(vec4(0, H, 0, 1), scene.load "ramp")
+  local texel = 2 / (projection:row(1).x * size) * H
+  for _, weights in ipairs { "equal", "tent" } do
+    for _, width in ipairs { 8, 20 } do
+      local picture = visibility.render("ramp_pcf", "ramp",
+                                        { size = size, number = number, width = width, weights = weights })
+      local half, edge, ramp = width / 2 * texel, 4 / 3, 0
+      for x = 0, visibility.size - 1 do
+        local at = analytic.on_plane(viewer, vec4(0, 1, 0, 0), x, visibility.size // 2).x
+        local across = math.min(math.max((at - edge) / half, -1), 1)
+        -- The integral of the weights: of the tent, 1 - |x|, a smooth step.
+        local expected = weights == "equal" and (1 + across) / 2
+                         or across < 0 and (1 + across) ^ 2 / 2 or 1 - (1 - across) ^ 2 / 2
+        if expected > 0 and expected < 1 then ramp = ramp + 1 end
+        if at > 1 then
+          expect_near(picture:color(x, visibility.size // 2) / 255, expected, 1 / number + 1 / width,
+                      "one of the taps' columns, and a texel that the hardware blends over")
+        end
+      end
+      expect(ramp >= 4, width .. ": " .. ramp)
+    end
   end
 end)

@@ -57,3 +57,15 @@ test("moments_are_right_where_shadows_do_not_overlap", function()
     expect(wrong <= 24, kind .. ": " .. wrong)
   end
 end)
+
+-- One edge's penumbra is right; where a teapot's parts at several heights are taken for one at their
+-- mean, it is not.
+test("contact_hardening_is_near_the_soft_truth", function()
+  for _, name in ipairs { "tetra", "table" } do
+    local soft = visibility.render("shadow_map_pcss", name, { radius = 0.25 })
+    local truth = visibility.render("truth", name, { radius = 0.25, samples = 256 })
+    local hard = visibility.render("truth", name)
+    local rmse, of_hard = soft:difference(truth).rmse, hard:difference(truth).rmse
+    expect(rmse < of_hard * 2 / 3, name .. ": " .. rmse .. ", the hard shadow's is " .. of_hard)
+  end
+end)
