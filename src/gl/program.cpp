@@ -145,14 +145,15 @@ bool Program::declares(std::string_view uniform) const {
 void Program::use(const UniformValues& values) {
   gl_.UseProgram(name_);
   const std::uint64_t foreign = gl_.UseProgram.shared->foreign_uniforms;
-  if (std::exchange(foreign_uniforms_, foreign) != foreign) sent_.reset();
+  if (std::exchange(foreign_uniforms_, foreign) != foreign) forget_values();
   for (const Uniform& uniform : uniforms_) {
     const std::uint32_t* words = values.data() + uniform.first;
     const bool same =
-        sent_ && std::equal(words, words + uniform.words(), sent_->data() + uniform.first);
+        sent_known_ && std::equal(words, words + uniform.words(), sent_.data() + uniform.first);
     if (!same) uniform.send(gl_, words);
   }
   sent_ = values;
+  sent_known_ = true;
 }
 
 Shader::Shader(std::shared_ptr<Program> program)

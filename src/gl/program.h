@@ -67,7 +67,7 @@ class Program {
   /// Makes it current with these values.
   void use(const UniformValues& values);
   /// Forgets what GL holds, so that the next `use` sends (and traces) every uniform.
-  void forget_values() { sent_.reset(); }
+  void forget_values() { sent_known_ = false; }
 
  private:
   void reflect();
@@ -77,7 +77,8 @@ class Program {
   std::vector<Uniform> uniforms_;
   std::vector<std::string> declared_;
   UniformValues initial_;
-  std::optional<UniformValues> sent_;
+  UniformValues sent_;  ///< what GL holds, where that is known
+  bool sent_known_ = false;
   std::uint64_t foreign_uniforms_ = 0;  ///< as of `sent_`
 };
 

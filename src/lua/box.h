@@ -116,9 +116,10 @@ T* test_box(lua_State* L, int index) {
 
 /// The T at `index`. Throws InputError: "WHAT must be a mesh; it is a number".
 template <class T>
-T& read_box(lua_State* L, int index, const std::string& what) {
+T& read_box(lua_State* L, int index, std::string_view what) {
   if (T* value = test_box<T>(L, index)) return *value;
-  throw InputError(what + " must be a " + BoxTraits<T>::name + "; it is " + describe(L, index));
+  throw InputError(std::string(what) + " must be a " + BoxTraits<T>::name + "; it is " +
+                   describe(L, index));
 }
 
 }  // namespace shadowlab::lua

@@ -104,7 +104,10 @@ void set_value(Parameter& parameter, const std::string& name, const std::string&
 
 /// A light at `index`: a vec4, a table of 4 numbers, or an area light { center = , u = , v = }
 /// (rectangle), { center = , u = , v = , disk = true } or { center = , radius = } (sphere).
-scene::Light read_light(lua_State* L, int index, const std::string& what);
+scene::Light read_light(lua_State* L, int index, const char* what);
+inline scene::Light read_light(lua_State* L, int index, const std::string& what) {
+  return read_light(L, index, what.c_str());
+}
 void push_light(lua_State* L, const scene::Light& light);
 
 /// A mesh that counts against the state's memory.
@@ -121,9 +124,20 @@ void draw(const DrawCall& call, const MeshBox& mesh, const glm::dmat4& model,
           const scene::Material& material, std::string_view name);
 
 /// A uniform that the core derives; set where the shader declares it.
-struct Derived {
-  const char* name;
-  std::vector<double> components;
+class Derived {
+ public:
+  /// At most four components.
+  Derived(const char* name, std::initializer_list<double> components)
+      : name_(name), count_(components.size()) {
+    std::copy(components.begin(), components.end(), components_.begin());
+  }
+  const char* name() const { return name_; }
+  std::span<const double> components() const { return {components_.data(), count_}; }
+
+ private:
+  const char* name_;
+  std::array<double, 4> components_{};
+  std::size_t count_;
 };
 
 /// The same for anything that is drawn by `draw_elements`, `indices` of them.

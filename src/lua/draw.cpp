@@ -164,7 +164,7 @@ void draw_with(const DrawCall& call, const glm::dmat4& own_model, const scene::M
   }
   set_derived(shader, "color", glm::value_ptr(material.color), 3);
   for (const Derived& uniform : derived) {
-    set_derived(shader, uniform.name, uniform.components.data(), uniform.components.size());
+    set_derived(shader, uniform.name(), uniform.components().data(), uniform.components().size());
   }
   if (table) set_given(L, shader, call.uniforms);
 

@@ -13,7 +13,7 @@ constexpr std::size_t longest_sentence = 1000;
 // The pass that runs, for as long as it does, whichever way it ends.
 class Running {
  public:
-  Running(Stage& stage, std::string name) : stage_(stage) { stage_.pass_name = std::move(name); }
+  Running(Stage& stage, std::string_view name) : stage_(stage) { stage_.pass_name = name; }
   ~Running() { stage_.pass_name.clear(); }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -29,7 +29,7 @@ int run(lua_State* L) {
   }
   std::size_t length = 0;
   const char* text = lua_tolstring(L, 1, &length);
-  const std::string name(text, std::min(length, longest_name));
+  const std::string_view name(text, std::min(length, longest_name));
   Stage& stage = Stage::of(L);
   if (!stage.pass_name.empty()) {
     throw InputError(fmt::format("pass \"{}\" begins inside pass \"{}\"; passes follow one another",

@@ -14,6 +14,7 @@ namespace shadowlab::lua {
 
 MeshBox caster_mesh(lua_State* L, int index, const char* function) {
   if (const auto* object = test_box<ObjectBox>(L, index)) return object->object().mesh;
+  if (const auto* mesh = test_box<MeshBox>(L, index)) return *mesh;
   return read_box<MeshBox>(L, index, fmt::format("argument {} of shadow.{}", index, function));
 }
 
@@ -22,6 +23,7 @@ glm::dmat4 caster_model(lua_State* L, int index, const char* function) {
     const auto* object = test_box<ObjectBox>(L, 1);
     return object ? object->object().model : glm::dmat4(1);
   }
+  if (const auto* model = test<glm::dmat4>(L, index)) return *model;
   return read<glm::dmat4>(
       L, index,
       fmt::format("argument {} of shadow.{} (the model matrix)", index, function).c_str());
@@ -56,14 +58,14 @@ Options read_options(lua_State* L, int index) {
   static constexpr std::string_view names[] = {"edges", "caps", "extrude", "part"};
   lua_pushnil(L);
   while (lua_next(L, index)) {
-    const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
-    const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    const std::string_view key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+    const std::string_view text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
     if (key == "edges") {
       options.lecture = text == "all" || text == "lit";
       options.edges = text == "all" ? Edges::all : text == "lit" ? Edges::lit : Edges::silhouette;
       if (!options.lecture && text != "silhouette") {
         throw InputError("shadow.volume: edges is \"all\", \"lit\" or \"silhouette\"; it is " +
-                         (text.empty() ? describe(L, -1) : text));
+                         (text.empty() ? describe(L, -1) : std::string(text)));
       }
     } else if (key == "caps") {
       options.caps = lua_toboolean(L, -1) ? shadow::Caps::both : shadow::Caps::none;
@@ -78,8 +80,8 @@ Options read_options(lua_State* L, int index) {
             "shadow.volume: part is a number from 1, of those that shadow.parts lists");
       options.part = static_cast<std::size_t>(part);
     } else {
-      throw InputError(
-          fmt::format("shadow.volume has no option {}{}", key, did_you_mean(key, names)));
+      throw InputError(fmt::format("shadow.volume has no option {}{}",
+                                   key.empty() ? describe(L, -2) : key, did_you_mean(key, names)));
     }
     lua_pop(L, 1);
   }
@@ -112,21 +114,24 @@ void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& opt
 
 // The triangles of which the camera sees the side that is turned from the light, as they are in the
 // mesh: so they have the very depths that the scene has drawn. Both facings are exact.
-std::vector<std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& view) {
+std::span<const std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& view) {
+  VolumeSource::Unlit& kept = volume.source->unlit;
   const shadow::FacingPlanes& faces = volume.source->builder.facing();
   const glm::dvec4 eye = shadow::light_in_model_space(volume.model, glm::inverse(view)[3]);
   const std::size_t first = volume.triangles.first;
   const std::size_t last = std::min(volume.triangles.last, faces.triangles().size());
-  std::vector<std::int8_t> toward_light(last - first), toward_eye(last - first);
-  faces.signs(volume.light, first, toward_light);
-  faces.signs(eye, first, toward_eye);
-  std::vector<std::uint32_t> indices;
+  kept.toward_light.resize(last - first);
+  kept.toward_eye.resize(last - first);
+  faces.signs(volume.light, first, kept.toward_light);
+  faces.signs(eye, first, kept.toward_eye);
+  kept.indices.clear();
+  kept.indices.reserve(3 * (last - first));
   for (std::size_t i = first; i < last; ++i) {
     const auto& [a, b, c] = faces.triangles()[i];
-    if (toward_light[i - first] * toward_eye[i - first] < 0)
-      indices.insert(indices.end(), {2 * a, 2 * b, 2 * c});
+    if (kept.toward_light[i - first] * kept.toward_eye[i - first] < 0)
+      kept.indices.insert(kept.indices.end(), {2 * a, 2 * b, 2 * c});
   }
-  return indices;
+  return kept.indices;
 }
 
 std::string what_was_built(const std::string& caster, const Volume& volume,

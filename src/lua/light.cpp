@@ -25,15 +25,16 @@ bool is_area(lua_State* L, int index) {
 
 }  // namespace
 
-scene::Light read_light(lua_State* L, int index, const std::string& what) {
+scene::Light read_light(lua_State* L, int index, const char* name) {
   scene::Light light;
   if (!is_area(L, index)) {
-    light.position = read<glm::dvec4>(L, index, what.c_str());
+    light.position = read<glm::dvec4>(L, index, name);
     if (!(light.position.w >= 0))
-      throw InputError(what +
+      throw InputError(std::string(name) +
                        " has w < 0; a light has w = 1 (a point) or 0 (a direction toward it)");
     return light;
   }
+  const std::string what = name;
   light.position = glm::dvec4(*field<glm::dvec3>(L, index, "center", what), 1);
   if (const auto radius = field<double>(L, index, "radius", what)) {
     if (!(*radius >= 0)) throw InputError(what + ".radius must not be negative");

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gl/graphics.h"
@@ -22,7 +23,7 @@ class TruthPool;
 class PassListener {
  public:
   virtual ~PassListener() = default;
-  virtual void begin_pass(const std::string& name) = 0;
+  virtual void begin_pass(std::string_view name) = 0;
   virtual void end_pass() = 0;
 };
 

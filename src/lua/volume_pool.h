@@ -34,6 +34,13 @@ struct VolumeSource {
   /// The adjacency's vertices, doubled; made when asked for.
   std::shared_ptr<gl::VolumeVertices> adjacency_vertices;
 
+  /// Of the last draw_unlit; its vectors keep their storage from frame to frame.
+  struct Unlit {
+    std::vector<std::int8_t> toward_light, toward_eye;
+    std::vector<std::uint32_t> indices;
+  };
+  Unlit unlit;
+
   /// What shaders extrude by themselves, of a run of the builder's triangles.
   class Extrudable {
    public:

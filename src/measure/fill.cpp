@@ -210,7 +210,7 @@ std::vector<PassFill> fill_of(gl::Graphics& graphics, recipe::Recipe& recipe, in
   for (int frame = 0; frame < frames; ++frame) {
     recipe.draw();
     for (std::size_t i = 0; i < times.size(); ++i)
-      times[i].push_back(recipe.passes().at(i).milliseconds);
+      times[i].push_back(recipe.passes()[i].milliseconds);
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
     const recipe::PassTime& pass = recipe.passes()[i];

@@ -192,6 +192,17 @@ void Recipe::set_camera(const scene::Camera& camera) {
   if (scene_) scene_->camera = camera;
 }
 
+void Recipe::set_model(std::string_view name, const glm::dmat4& model) {
+  if (scene_) {
+    for (scene::Object& object : scene_->objects) {
+      if (object.name != name) continue;
+      object.model = model;
+      return;
+    }
+  }
+  throw InputError(fmt::format("the scene of {} has no object {}", file_.string(), name));
+}
+
 bool Recipe::holds() {
   bool holds = true;
   state_.restart_budget();
@@ -247,7 +258,7 @@ void Recipe::draw(double time) {
     lua::begin_frame(stage_);
     graphics_.clear_buffers();
   }
-  passes_.clear();
+  pass_count_ = 0;
   if (gl::Recorder* recorder = graphics_.recorder())
     recorder->end_pass();  // of a frame that failed
   state_.restart_budget();
@@ -260,13 +271,16 @@ void Recipe::draw(double time) {
   work_ = graphics_.calls().work - before;
 }
 
-void Recipe::begin_pass(const std::string& name) {
+void Recipe::begin_pass(std::string_view name) {
   if (!set_up_) return;  // a step of setup is none of the frame
-  if (passes_.size() >= most_passes)
+  if (pass_count_ >= most_passes)
     throw InputError(fmt::format("a frame has at most {} passes", most_passes));
-  passes_.push_back({name, 0, {}});
+  if (pass_count_ == passes_.size()) passes_.emplace_back();
+  PassTime& pass = passes_[pass_count_++];
+  pass.name = name;
+  pass.milliseconds = 0;
   work_before_pass_ = graphics_.calls().work;
-  if (gl::Recorder* recorder = graphics_.recorder()) recorder->begin_pass(name);
+  if (gl::Recorder* recorder = graphics_.recorder()) recorder->begin_pass(std::string(name));
   if (!time_passes_) return;
   graphics_.gl.Finish.unrecorded();
   pass_began_ = now();
@@ -276,11 +290,11 @@ void Recipe::end_pass() {
   if (!set_up_) return;
   if (time_passes_) {
     graphics_.gl.Finish.unrecorded();
-    passes_.back().milliseconds = now() - pass_began_;
+    passes_[pass_count_ - 1].milliseconds = now() - pass_began_;
   }
-  passes_.back().work = graphics_.calls().work - work_before_pass_;
+  passes_[pass_count_ - 1].work = graphics_.calls().work - work_before_pass_;
   if (gl::Recorder* recorder = graphics_.recorder()) recorder->end_pass();
-  if (pass_ended_) pass_ended_(passes_.size() - 1);
+  if (pass_ended_) pass_ended_(pass_count_ - 1);
 }
 
 }  // namespace shadowlab::recipe

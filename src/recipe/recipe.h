@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,8 @@ class Recipe : private lua::PassListener {
   glm::dvec4 light() const;
   /// Another camera, in place of the scene's.
   void set_camera(const scene::Camera& camera);
+  /// Moves the scene's object of that name. Throws InputError where there is none.
+  void set_model(std::string_view object, const glm::dmat4& model);
 
   /// Whether the technique claims to be right for this camera and light: what the recipe's function
   /// `holds` says; true without one.
@@ -87,7 +90,7 @@ class Recipe : private lua::PassListener {
   void draw(double time = 0);
 
   /// The passes of the last frame, in their order; times where the options asked for them.
-  const std::vector<PassTime>& passes() const { return passes_; }
+  std::span<const PassTime> passes() const { return {passes_.data(), pass_count_}; }
 
   /// What the last frame decided, and why, in its order; where the options asked for it.
   const std::vector<lua::Explanation>& explanations() const { return stage_.explanations; }
@@ -98,7 +101,7 @@ class Recipe : private lua::PassListener {
   void on_pass_end(std::function<void(std::size_t)> listener) { pass_ended_ = std::move(listener); }
 
  private:
-  void begin_pass(const std::string& name) override;
+  void begin_pass(std::string_view name) override;
   void end_pass() override;
   void read_table();
   void read_parameters(int table);
@@ -116,7 +119,9 @@ class Recipe : private lua::PassListener {
   Description description_;
   std::vector<NamedParameter> parameters_;
   lua::SceneBox scene_;
-  std::vector<PassTime> passes_;
+  std::vector<PassTime>
+      passes_;  ///< the first pass_count_ are this frame's: names keep their storage
+  std::size_t pass_count_ = 0;
   std::function<void(std::size_t)> pass_ended_;
   double pass_began_ = 0;
   gl::Work work_;

@@ -30,6 +30,12 @@ Layers::Layers(VolumeBuilder& builder) : builder_(builder) {
   }
   crossed_twice_.resize(closed.size());
   seen_.resize(builder.facing().positions().size());
+  // What quartering takes for most casters and lights, so that a light that moves allocates
+  // nothing; for large ones the vectors grow as far as a light makes them.
+  const std::size_t room = 16 * std::min<std::size_t>(builder.triangle_count(), 1 << 16);
+  triangles_.reserve(room);
+  edges_.reserve(room);
+  cells_.reserve(1024);
 }
 
 std::span<const Part> Layers::parts(glm::dvec4 light, std::size_t most) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "core/error.h"
 #include "shadow/facing.h"
@@ -16,9 +15,10 @@ namespace {
 struct Pyramid {
   std::array<glm::dvec3, 4> base;
   glm::dvec3 toward{0};  // from any corner toward the light, where that is a direction
-  std::optional<glm::dvec3> apex;
+  glm::dvec3 apex{0};    // the light, where it is a point
+  bool pointed = false;
 
-  glm::dvec3 side(std::size_t corner) const { return apex ? *apex - base[corner] : toward; }
+  glm::dvec3 side(std::size_t corner) const { return pointed ? apex - base[corner] : toward; }
 };
 
 struct Interval {
@@ -32,20 +32,25 @@ struct Interval {
 
 /// The directions that part two convex bodies, one of them bounded, if any does: face normals of
 /// either and products of their edges.
-std::vector<glm::dvec3> parting_directions(const Pyramid& pyramid) {
+// Of the box 3 and of the pyramid 1 + 4 normals, of 3 and 2 + 4 edges the products.
+constexpr std::size_t direction_count = 3 + 5 + 3 * 6;
+
+std::array<glm::dvec3, direction_count> parting_directions(const Pyramid& pyramid) {
   const glm::dvec3 right = pyramid.base[1] - pyramid.base[0];
   const glm::dvec3 up = pyramid.base[3] - pyramid.base[0];
-  std::vector<glm::dvec3> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::cross(right, up)};
-  std::vector<glm::dvec3> edges{right, up};
+  std::array<glm::dvec3, direction_count> directions{
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::cross(right, up)}};
+  std::size_t count = 4;
+  std::array<glm::dvec3, 6> edges{right, up};
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec3 side = pyramid.side(i);
-    directions.push_back(glm::cross(i % 2 == 0 ? right : up, side));
-    edges.push_back(side);
+    directions[count++] = glm::cross(i % 2 == 0 ? right : up, side);
+    edges[2 + i] = side;
   }
   for (const glm::dvec3& edge : edges) {
-    directions.push_back({0, -edge.z, edge.y});
-    directions.push_back({edge.z, 0, -edge.x});
-    directions.push_back({-edge.y, edge.x, 0});
+    directions[count++] = {0, -edge.z, edge.y};
+    directions[count++] = {edge.z, 0, -edge.x};
+    directions[count++] = {-edge.y, edge.x, 0};
   }
   return directions;
 }
@@ -60,8 +65,8 @@ std::optional<double> gap_along(const Pyramid& pyramid, const scene::Bounds& box
     return glm::dot(direction, p);
   };
   for (const glm::dvec3& corner : pyramid.base) a.add(along(corner));
-  if (pyramid.apex) {
-    a.add(along(*pyramid.apex));
+  if (pyramid.pointed) {
+    a.add(along(pyramid.apex));
   } else {
     // A product of the rounded edge `toward` may miss being across it by its roundings.
     const double slope = glm::dot(direction, pyramid.toward);
@@ -107,6 +112,7 @@ std::optional<Parting> apart_from_near_pyramid(const scene::Camera& camera, doub
   }
   if (local_light.w != 0) {
     pyramid.apex = glm::dvec3(local_light) / local_light.w;
+    pyramid.pointed = true;
   } else {
     pyramid.toward = glm::normalize(glm::dvec3(local_light));
   }

@@ -57,7 +57,7 @@ class TestFile : private lua::PassListener {
   static int register_test(lua_State* L);
   static int render_recipe(lua_State* L);
   static int draw_frame(lua_State* L);
-  void begin_pass(const std::string& name) override { pass_ = name; }
+  void begin_pass(std::string_view name) override { pass_ = name; }
   void end_pass() override;
   void set_global(const char* name, lua_CFunction function);
   std::filesystem::path find_recipe(const std::string& name) const;
