@@ -63,10 +63,11 @@ class Comparer {
       throw InputError(fmt::format(
           "{} is not held against a truth; a recipe says so by truth = \"hard\"", file.string()));
     }
-    if (truth != "hard" && truth != "hard on receivers" && truth != "soft") {
-      throw InputError(
-          fmt::format("{}: truth is \"hard\", \"hard on receivers\" or \"soft\", not \"{}\"",
-                      file.string(), truth));
+    const bool soft = truth == "soft" || truth == "soft on receivers";
+    if (!soft && truth != "hard" && truth != "hard on receivers") {
+      throw InputError(fmt::format(
+          "{}: truth is \"hard\" or \"soft\", either with \" on receivers\" after it, not \"{}\"",
+          file.string(), truth));
     }
     on_receivers_ = truth.ends_with("on receivers");
     for (const auto& [name, value] : options.settings) recipe_.set(name, value);
@@ -74,7 +75,7 @@ class Comparer {
     own_light_ = recipe_.light();
     scene_ = *recipe_.scene();
     tracer_.emplace(scene_);
-    if (truth == "soft") radius_ = radius_of(recipe_, file);
+    if (soft) radius_ = radius_of(recipe_, file);
   }
 
   const recipe::Recipe& recipe() const { return recipe_; }

@@ -1,0 +1,6 @@
+#version 330 core
+// It shines by itself.
+uniform vec3 color;
+out vec4 fragment;
+
+void main() { fragment = vec4(color, 1.0); }
