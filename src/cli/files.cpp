@@ -61,8 +61,9 @@ void make_folder(const fs::path& folder) {
   }
 }
 
-void write_picture(const fs::path& file, const image::Image& picture) {
+void write_picture(const fs::path& file, image::Image picture) {
   const Undisturbed undisturbed;
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
   image::write_png(file, picture);
 }
 

@@ -32,8 +32,9 @@ void expect_writable(const std::filesystem::path& file);
 /// Makes the folder and those above it. Throws InputError where it cannot.
 void make_folder(const std::filesystem::path& folder);
 
-/// As image::write_png and image::write_npy.
-void write_picture(const std::filesystem::path& file, const image::Image& picture);
+/// As image::write_png, but opaque: what a window would show, whatever the frame's alpha is.
+void write_picture(const std::filesystem::path& file, image::Image picture);
+/// As image::write_npy.
 template <class T>
 void write_array(const std::filesystem::path& file, std::span<const std::size_t> shape,
                  const std::vector<T>& values) {
