@@ -83,6 +83,7 @@ void run(int size) {
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     recipe::Options options;
     options.scene = scenes[s];
+    options.limits.seconds = 3600;
     options.shading = recipe::Options::Shading::visibility;
     recipe::Recipe recipe(graphics, home() / "scripts" / "soft_accumulated.lua", options);
     const Reference reference(*recipe.scene(), recipe.light(), size);
