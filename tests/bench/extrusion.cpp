@@ -1,17 +1,19 @@
 // Shadow volumes built on the CPU against those that a vertex or a geometry shader makes, under a
-// light that moves every frame: what the passes cost that build and count them.
+// light that moves every frame.
 //
-//   bench_extrusion [SIZE]
+//   LP_NUM_THREADS=0 bench_extrusion [SIZE]
 //
-// Milliseconds are medians of 21 frames drawn in turns, between two glFinish, of all passes but the
-// first (the scene's depth) and the last two (its colours); Mtri/s are the casters' triangles over
-// that time. Small pictures show what vertices cost, large ones what filling adds. On Mesa's
-// software rasteriser the shaders run on the CPU too, and its geometry shaders leave the fast path.
+// Milliseconds of processor time, which others on the machine do not lengthen: medians of 21 whole
+// frames drawn in turns, up to glFinish; with LP_NUM_THREADS=0 Mesa's software rasteriser has no
+// threads of its own to leave out. Mtri/s are the casters' triangles over that time. Small pictures
+// show what vertices cost, large ones what filling adds. In software the shaders run on the CPU
+// too, and geometry shaders leave the fast path.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 
 #include "core/version.h"
 #include "recipe/recipe.h"
@@ -25,19 +27,19 @@ class Technique {
  public:
   Technique(gl::Graphics& graphics, const std::string& name, const std::string& scene,
             const std::string& extruder)
-      : recipe_(graphics, home() / "scripts" / (name + ".lua"), timed(scene)) {
+      : recipe_(graphics, home() / "scripts" / (name + ".lua"), in_scene(scene)) {
     if (!extruder.empty()) recipe_.set("extruder", extruder);
   }
 
   const recipe::Recipe& recipe() const { return recipe_; }
 
-  void draw(glm::dvec4 light) {
+  void draw(gl::Graphics& graphics, glm::dvec4 light) {
     recipe_.set_light(light);
+    graphics.gl.Finish();
+    const std::clock_t begin = std::clock();
     recipe_.draw();
-    double sum = 0;
-    for (std::size_t i = 1; i + 2 < recipe_.passes().size(); ++i)
-      sum += recipe_.passes()[i].milliseconds;
-    times_.push_back(sum);
+    graphics.gl.Finish();
+    times_.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   void forget() { times_.clear(); }
   double median() {
@@ -47,10 +49,9 @@ class Technique {
   }
 
  private:
-  static recipe::Options timed(const std::string& scene) {
+  static recipe::Options in_scene(const std::string& scene) {
     recipe::Options options;
     options.scene = scene;
-    options.time_passes = true;
     return options;
   }
   recipe::Recipe recipe_;
@@ -74,7 +75,7 @@ void compare(gl::Graphics& graphics, const std::string& scene) {
       for (Technique* technique : all) technique->forget();
     }
     const glm::dvec4 moved = light + glm::dvec4(0.01 * std::sin(frame), 0, 0.01 * frame, 0);
-    for (Technique* technique : all) technique->draw(moved);
+    for (Technique* technique : all) technique->draw(graphics, moved);
   }
   fmt::print("{:<8} {:>9}", scene, triangles);
   for (Technique* technique : all) {

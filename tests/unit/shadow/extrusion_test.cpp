@@ -149,8 +149,11 @@ TEST(Extrusion, is_a_closed_surface_for_any_caster_and_light) {
   }
 }
 
-TEST(Extrusion, of_a_closed_caster_has_the_triangles_that_the_builder_has) {
-  for (const Mesh& caster : {bare(scene::box()), bare(scene::torus(0.6, 0.25, 20, 10))}) {
+// Where no edge joins more than two triangles, or two of different orientations, none is thrown
+// twice.
+TEST(Extrusion, of_a_sheet_or_a_closed_caster_has_the_triangles_that_the_builder_has) {
+  for (const Mesh& caster : {bare(scene::box()), bare(scene::torus(0.6, 0.25, 20, 10)),
+                             bare(scene::teapot(1.0, 4)), bare(scene::plane(2, 1, 3, 2))}) {
     const Adjacency mesh = scene::adjacency(caster);
     const glm::dvec4 light(2, 3, 1, 1);
     VolumeBuilder builder(mesh);
