@@ -68,7 +68,7 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
   explain_dropped(stage, scene, light, plan, shadow::Plan::Why::outside_view,
                   "since neither they nor their shadows are in the camera's view");
   explain_dropped(stage, scene, light, plan, shadow::Plan::Why::meets_nothing,
-                  "since their shadows enter the view but meet the box of nothing seen there");
+                  "since in the view they and their shadows are hidden, or meet nothing");
   std::vector<std::size_t> zpass, zfail;
   Savings caps;
   std::int64_t pixels = 0;
@@ -99,7 +99,7 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
       "meet nothing that is seen. Saved: {} pixels at most.",
       pixels, kept * picture, kept, size.x, size.y, kept * picture - pixels));
   stage.explain(fmt::format(
-      "{} of {} are in the view and drawn; shadows may reach {} of those, within {} × {} pixels.",
+      "{} of {} are in the view, not hidden by boxes, and drawn; shadows may reach {} of those, within {} × {} pixels.",
       plan.seen.size(), counted(scene.objects.size(), "object", "objects"), plan.shadowed.size(),
       plan.shadows.width, plan.shadows.height));
 }

@@ -2,6 +2,7 @@
 // nor drawn. The picture stays the same, pixel for pixel: what is left out would have counted zero
 // at every pixel that the scene covers.
 //
+//  - What boxes hide, those meshes that are boxes, is not seen.
 //  - A caster whose shadow meets no box of the scene that the camera sees is dropped. (A caster
 //    that is seen itself meets its own.)
 //  - Of the others, z-fail and its caps only where z-pass would be wrong (shadow/zfail.h).
@@ -43,7 +44,7 @@ struct Plan {
   };
   enum class Why {
     outside_view,   ///< neither the caster nor its shadow is in the camera's view
-    meets_nothing,  ///< its shadow enters the view, but none of the boxes seen there
+    meets_nothing,  ///< they enter the view, but meet no box that is seen there
   };
   struct Dropped {
     std::size_t object;
@@ -51,7 +52,7 @@ struct Plan {
   };
   std::vector<Kept> casters;
   std::vector<Dropped> dropped;
-  std::vector<std::size_t> seen;      ///< objects whose box the camera sees
+  std::vector<std::size_t> seen;      ///< objects whose box the camera may see
   std::vector<std::size_t> shadowed;  ///< those of them that a kept caster's shadow meets
   PixelRectangle shadows;             ///< holds every scissor
 };

@@ -110,15 +110,24 @@ bool Reach::parts_from(const Crate& crate) const {
   });
 }
 
-Polygon Reach::inside(Polygon polygon) const {
+// As `clipped`, without its allocations: a plan clips thousands.
+std::span<const glm::dvec3> Reach::inside(std::span<const glm::dvec3> polygon,
+                                          Scratch& scratch) const {
+  std::span<const glm::dvec3> rest = polygon;
   for (const glm::dvec4& plane : planes()) {
-    if (polygon.empty()) break;
-    const bool cuts = std::ranges::any_of(polygon, [&](const glm::dvec3& corner) {
-      return glm::dot(glm::dvec3(plane), corner) + plane.w < 0;
-    });
-    if (cuts) polygon = clipped(polygon, plane);
+    const auto distance = [&](glm::dvec3 p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+    if (std::ranges::all_of(rest, [&](glm::dvec3 p) { return distance(p) >= 0; })) continue;
+    scratch.next.clear();
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      const glm::dvec3 p = rest[i], q = rest[(i + 1) % rest.size()];
+      const double dp = distance(p), dq = distance(q);
+      if (dp >= 0) scratch.next.push_back(p);
+      if ((dp >= 0) != (dq >= 0)) scratch.next.push_back(p + (q - p) * (dp / (dp - dq)));
+    }
+    std::swap(scratch.now, scratch.next);
+    rest = scratch.now;
   }
-  return polygon;
+  return rest;
 }
 
 }  // namespace shadowlab::shadow

@@ -45,8 +45,11 @@ class Reach {
 
   /// Whether one of the planes has all of `crate` behind it: then they do not meet.
   bool parts_from(const Crate& crate) const;
-  /// What of a convex polygon is inside.
-  Polygon inside(Polygon polygon) const;
+  /// What of a convex polygon is inside: valid until `scratch` is used again.
+  struct Scratch {
+    Polygon now, next;
+  };
+  std::span<const glm::dvec3> inside(std::span<const glm::dvec3> polygon, Scratch& scratch) const;
 
  private:
   void propose(glm::dvec3 normal, std::span<const glm::dvec3, 8> corners,
