@@ -17,7 +17,7 @@ local recipe = {
     radius       = param.number(0.12, 0, 2),     -- how far the light is jittered
     shape        = param.choice("sphere", "square", "disk"),
     -- The lab jitters at random; points that are spread evenly need far fewer.
-    pattern      = param.choice("owen", "random", "jitter", "grid", "hammersley", "r2", "sobol"),
+    pattern      = param.choice("hammersley", "random", "jitter", "grid", "r2", "sobol", "owen"),
     seed         = param.integer(1, 0, 1000000),
     storage      = param.choice("snorm16", "snorm8", "float16", "float32"),
     walls        = param.toggle(true),           -- false: the floor alone, and the light as a sun

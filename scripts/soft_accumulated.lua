@@ -1,6 +1,7 @@
 -- The shadow of a light with a size: hard shadows of N points on it, averaged in the accumulation buffer.
 -- Any hard shadow will do, and any set of points; their error against all of the light falls with N, for
--- random points as N^-1/2, for those that are spread evenly nearly as N^-3/4 to N^-1.
+-- random points as N^-1/2, for those that are spread evenly as N^-0.7 or so. Of a number that is fixed,
+-- Hammersley's are the best on average (bench_soft); a set that is to grow needs a nested pattern.
 --   volumes  counted by z-fail for each point; right wherever a point's shadow is
 --   maps     a shadow map for each point; a point among its casters has none
 -- The storage says what the average loses: recipe banding.
@@ -21,7 +22,7 @@ local recipe = {
     shape     = param.choice("sphere", "square", "disk"),
     technique = param.choice("volumes", "maps"),
     samples   = param.integer(16, 1, 4096),
-    pattern   = param.choice("owen", "random", "jitter", "grid", "hammersley", "r2", "sobol"),
+    pattern   = param.choice("hammersley", "random", "jitter", "grid", "r2", "sobol", "owen"),
     seed      = param.integer(1, 0, 1000000),   -- 0 is the truth's
     storage   = param.choice("snorm16", "snorm8", "float16", "float32"),
     size      = param.integer(1024, 16, 4096),  -- of the maps
