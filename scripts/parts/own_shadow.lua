@@ -4,7 +4,7 @@
 --    and bit 7 of the stencil is set by that; the volumes count in the rest;
 --  - for a side turned to the light, the volumes are pushed back by the error of interpolated depths:
 --    what is that close to a face counts as behind it. Two units for the rounding of the two depths;
---    of the slope 1/512, since corners are moved to the nearest 1/256 of a pixel. On a face square to
+--    of the slope 1/256, since the corners of both are moved by up to 1/512 of a pixel. On a face square to
 --    the view a shadow then begins at most 4 z^2 / (near 2^24) metres late, at a distance of z.
 -- Whoever draws the scene again turns POLYGON_OFFSET_FILL off.
 return function(volumes, shader, seen)
@@ -16,6 +16,6 @@ return function(volumes, shader, seen)
   for _, volume in ipairs(volumes) do volume:draw_unlit(shader, seen) end
   gl.DepthFunc(gl.LESS)
   gl.StencilMask(0x7F)
-  gl.PolygonOffset(1 / 512, 2)
+  gl.PolygonOffset(1 / 256, 2)
   gl.Enable(gl.POLYGON_OFFSET_FILL)
 end
