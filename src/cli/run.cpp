@@ -21,6 +21,7 @@ struct RunOptions {
   std::string captures;
   bool timings = false;
   bool explain = false;
+  bool plan = false;
 };
 
 constexpr double frames_per_second = 60;  // the clock that r.time follows
@@ -59,6 +60,7 @@ std::unique_ptr<Session> run(const RunOptions& options) {
   recipe::Options recipe_options;
   recipe_options.time_passes = options.timings;
   recipe_options.explain = options.explain;
+  if (options.plan) recipe_options.casters = recipe::Options::Casters::planned;
   recipe_options.print = [words](std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), words);
   };
@@ -101,6 +103,8 @@ void add_run(CLI::App& app, Answer& answer) {
   command->add_flag(
       "--explain", options->explain,
       "Print what each pass of the last frame drew, and each decision with its reason");
+  command->add_flag("--plan", options->plan,
+                    "Draw without the casters whose shadows reach nothing that is seen");
   command->footer(
       "Example:\n  shadowlab run projected_stencil -o out.png --set light=1,3,2 --captures passes");
   auto session = std::make_shared<std::unique_ptr<Session>>();

@@ -58,8 +58,8 @@ void explain_dropped(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
 
 }  // namespace
 
-void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
-                  const shadow::Plan& plan) {
+void explain_casters(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
+                     const shadow::Plan& plan) {
   const std::size_t all = plan.casters.size() + plan.dropped.size();
   stage.explain(
       fmt::format("The plan keeps {} of {}: those whose box or shadow meets the box of "
@@ -69,6 +69,11 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
                   "since neither they nor their shadows are in the camera's view");
   explain_dropped(stage, scene, light, plan, shadow::Plan::Why::meets_nothing,
                   "since in the view they and their shadows are hidden, or meet nothing");
+}
+
+void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
+                  const shadow::Plan& plan) {
+  explain_casters(stage, scene, light, plan);
   std::vector<std::size_t> zpass, zfail;
   Savings caps;
   std::int64_t pixels = 0;
@@ -98,10 +103,11 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
       "Scissors leave the kept volumes {} pixels of {} ({} times {} × {}): outside of them they "
       "meet nothing that is seen. Saved: {} pixels at most.",
       pixels, kept * picture, kept, size.x, size.y, kept * picture - pixels));
-  stage.explain(fmt::format(
-      "{} of {} are in the view, not hidden by boxes, and drawn; shadows may reach {} of those, within {} × {} pixels.",
-      plan.seen.size(), counted(scene.objects.size(), "object", "objects"), plan.shadowed.size(),
-      plan.shadows.width, plan.shadows.height));
+  stage.explain(
+      fmt::format("{} of {} are in the view, not hidden by boxes, and drawn; shadows may reach {} "
+                  "of those, within {} × {} pixels.",
+                  plan.seen.size(), counted(scene.objects.size(), "object", "objects"),
+                  plan.shadowed.size(), plan.shadows.width, plan.shadows.height));
 }
 
 }  // namespace shadowlab::lua

@@ -11,4 +11,8 @@ namespace shadowlab::lua {
 void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
                   const shadow::Plan& plan);
 
+/// The part of it that is about casters.
+void explain_casters(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
+                     const shadow::Plan& plan);
+
 }  // namespace shadowlab::lua

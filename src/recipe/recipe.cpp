@@ -10,6 +10,7 @@
 #include "core/version.h"
 #include "lua/guard.h"
 #include "lua/value.h"
+#include "recipe/planned_casters.h"
 
 namespace shadowlab::recipe {
 namespace {
@@ -54,6 +55,7 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
     : graphics_(graphics),
       file_(file),
       time_passes_(options.time_passes),
+      casters_(options.casters),
       state_(
           options.limits, options.print ? options.print : [](std::string_view) {}),
       stage_{state_, graphics, this, {}, folders(folder_of(file), options.shading)} {
@@ -263,6 +265,8 @@ void Recipe::draw(double time) {
     recorder->end_pass();  // of a frame that failed
   state_.restart_budget();
   const gl::Work before = graphics_.calls().work;
+  std::optional<PlannedCasters> planned;
+  if (casters_ == Options::Casters::planned && scene_) planned.emplace(stage_, *scene_, light());
   inside_lua([&](lua_State* L) {
     push_function("draw");
     push_context(time);

@@ -51,6 +51,10 @@ struct Options {
   std::optional<std::string> scene;  ///< in place of the recipe's own
   bool time_passes = false;          ///< glFinish around each pass
   bool explain = false;              ///< collect explanations()
+  /// Whose shadows each frame is drawn with: all that cast, or those alone that shadow::plan keeps.
+  /// To the recipe the others are receivers. Recipes of shadow volumes draw the same picture;
+  /// shadow maps are fitted to fewer casters.
+  enum class Casters { all, planned } casters = Casters::all;
   /// What the stock shaders draw: their shading, or the visibility of the light alone, white where
   /// it reaches and black where it does not.
   enum class Shading { full, visibility } shading = Shading::full;
@@ -114,6 +118,7 @@ class Recipe : private lua::PassListener {
   gl::Graphics& graphics_;
   std::filesystem::path file_;
   bool time_passes_;
+  Options::Casters casters_;
   lua::State state_;
   lua::Stage stage_;
   Description description_;
