@@ -17,8 +17,8 @@ struct RenderOptions {
   int width = 256, height = 256;
   std::optional<std::string> scene;                           ///< in place of the recipe's own
   std::vector<std::pair<std::string, std::string>> settings;  ///< parameters, as --set takes them
-  int frames = 1;   ///< drawn one after the other, the last is kept
-  double time = 0;  ///< of the first, seconds; the others follow 1/60 s apart
+  int frames = 1;           ///< drawn one after the other, the last is kept
+  double time = 0;          ///< of the first, seconds; the others follow 1/60 s apart
   bool visibility = false;  ///< the stock shaders draw the visibility: white where lit, else black
 };
 
