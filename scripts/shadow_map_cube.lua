@@ -2,6 +2,7 @@
 -- for each half-axis, and is looked up by the direction from the light. Faces on which no caster can
 -- shadow what is seen are not drawn; and while light and casters are still the whole map is kept.
 local draw_lit = require "parts.draw_lit"
+local still = require "parts.still"
 
 local recipe = {
   title   = "A cube of shadow maps",
@@ -35,6 +36,7 @@ function recipe.setup(r)
   r.mapped = shader.load "shadow_map_cube"
   local size = r.params.size
 
+  r.shown = {}
   r.cube = gl.GenTextures(1)
   gl.BindTexture(gl.TEXTURE_CUBE_MAP, r.cube)
   for _, face in ipairs(targets) do
@@ -59,8 +61,7 @@ function recipe.draw(r)
   local needed = shadow.faces_needed(light, scene, fit)
 
   gl.Enable(gl.DEPTH_TEST)
-  local wanted = tostring(light) .. near .. far
-  if not r.params.keep or r.map_of ~= wanted then
+  if not (r.params.keep and still(r.shown, faces[1].projection * faces[1].view, scene.casters)) then
     local bias = shadow.map_bias(faces[1].projection, size, r.params.filter == "LINEAR" and 2 or 1)
     gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
     gl.Viewport(0, 0, size, size)
@@ -79,7 +80,6 @@ function recipe.draw(r)
     gl.Disable(gl.POLYGON_OFFSET_FILL)
     gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
     gl.Viewport(0, 0, r.width, r.height)
-    r.map_of = wanted
   end
 
   pass("2. the scene, by direction", function()

@@ -1,6 +1,7 @@
 -- A shadow map in a framebuffer object of its own, for a directional light: no window limits its size,
 -- nothing is copied, and no colour is drawn.
 local draw_lit = require "parts.draw_lit"
+local still = require "parts.still"
 
 local recipe = {
   title   = "A shadow map in a framebuffer object",
@@ -15,6 +16,9 @@ local recipe = {
     coverage = param.choice("fitted", "lesson"),
     -- Against acne: an offset of the map's depths, or of the fragment's place along its normal.
     bias     = param.choice("offset", "normal", "none"),
+    -- A map that holds all shadows, not only those in view, is drawn again only where the light or a
+    -- caster has moved: every camera and every frame share it.
+    keep     = param.toggle(false),
   },
   sweep   = { size = { 256, 512, 1024, 2048, 4096 } },
 }
@@ -28,6 +32,7 @@ function recipe.setup(r)
   r.mapped = shader.load "shadow_map"
   local size = r.params.size
 
+  r.shown = {}
   r.fbo = gl.GenFramebuffers(1)
   -- The depth texture
   r.map = gl.GenTextures(1)
@@ -57,24 +62,26 @@ function recipe.draw(r)
     light_projection = mat4.ortho(-10, 10, -10, 10, 1, 7.5)
     light_view = mat4.look_at(light.xyz, vec3(0), vec3(0, 1, 0))
   else
-    light_view, light_projection = shadow.light_view(light, scene)
+    light_view, light_projection = shadow.light_view(light, scene, { fit = r.params.keep and "scene" or "view" })
   end
   local bias = shadow.map_bias(light_projection, size)
 
-  pass("1. depth, from the light", function()
-    gl.Viewport(0, 0, size, size)
-    gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
-    gl.Clear(gl.DEPTH_BUFFER_BIT)
-    gl.Enable(gl.DEPTH_TEST)
-    if r.params.bias == "offset" then
-      gl.Enable(gl.POLYGON_OFFSET_FILL)
-      gl.PolygonOffset(bias.factor, bias.units)
-    end
-    -- The lesson draws the whole scene; what casts no shadow can be left out.
-    scene.caster:draw(r.depth, { view = light_view, projection = light_projection })
-    gl.Disable(gl.POLYGON_OFFSET_FILL)
-    gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
-  end)
+  gl.Enable(gl.DEPTH_TEST)
+  if not (r.params.keep and still(r.shown, light_projection * light_view, scene.casters)) then
+    pass("1. depth, from the light", function()
+      gl.Viewport(0, 0, size, size)
+      gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
+      gl.Clear(gl.DEPTH_BUFFER_BIT)
+      if r.params.bias == "offset" then
+        gl.Enable(gl.POLYGON_OFFSET_FILL)
+        gl.PolygonOffset(bias.factor, bias.units)
+      end
+      -- The lesson draws the whole scene; what casts no shadow can be left out.
+      scene.caster:draw(r.depth, { view = light_view, projection = light_projection })
+      gl.Disable(gl.POLYGON_OFFSET_FILL)
+      gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
+    end)
+  end
 
   pass("2. the scene, with the map", function()
     local view, projection = camera:view(), camera:projection(r.width / r.height)

@@ -116,3 +116,27 @@ test("the_soft_edge_is_as_wide_as_the_filter", function()
   end
   expect_near(gray(16) / gray(8), 2, 0.5, "pixels are counted whole, on both sides of a band of some pixels")
 end)
+
+test("a_still_light_draws_its_map_once", function()
+  local size = { 64, 64 }
+  local first = render("shadow_map_fbo", { size = size, set = { keep = true } })
+  local third = render("shadow_map_fbo", { size = size, frames = 3, set = { keep = true } })
+  local redrawn = render("shadow_map_fbo", { size = size, frames = 3 })
+  expect_equal(#first.passes, 2)
+  expect_equal(#third.passes, 1)
+  expect_equal(#redrawn.passes, 2)
+  expect_equal(first:difference(third).differing, 0)
+end)
+
+test("a_kept_map_is_drawn_again_where_the_light_or_a_caster_moves", function()
+  local still = require "parts.still"
+  local function at(x) return { model = mat4.translate(x, 0, 0) } end
+  local last, matrix = {}, mat4.scale(2, 2, 2)
+  expect(not still(last, matrix, { at(1), at(2) }), "the first frame has no map")
+  expect(still(last, matrix, { at(1), at(2) }), "nothing has moved")
+  expect(not still(last, matrix, { at(1), at(2.5) }), "a caster has")
+  expect(still(last, matrix, { at(1), at(2.5) }), "and stays")
+  expect(not still(last, mat4.scale(3, 3, 3), { at(1), at(2.5) }), "the light has")
+  expect(not still(last, mat4.scale(3, 3, 3), { at(1) }), "a caster is gone")
+  expect(not still(last, mat4.scale(3, 3, 3), { at(1), at(2) }), "another has come")
+end)
