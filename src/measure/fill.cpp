@@ -125,8 +125,7 @@ class Calibration {
 // Counts what each draw rasterises, by the kind of layer that its state makes it.
 class PixelCounter final : public gl::DrawObserver {
  public:
-  explicit PixelCounter(gl::Graphics& graphics)
-      : gl_(graphics.gl), phong_(stock(graphics, "phong")->program().name()) {
+  explicit PixelCounter(gl::Graphics& graphics) : gl_(graphics.gl) {
     gl_.GenQueries(1, {&query_, 1});
   }
   ~PixelCounter() override { gl_.DeleteQueries(1, {&query_, 1}); }
@@ -137,7 +136,7 @@ class PixelCounter final : public gl::DrawObserver {
     const bool depth = gl_.IsEnabled.unrecorded(GL_DEPTH_TEST) != GL_FALSE;
     const bool stencil = gl_.IsEnabled.unrecorded(GL_STENCIL_TEST) != GL_FALSE;
     const Layer kind = std::any_of(mask.begin(), mask.end(), [](GLboolean on) { return on != 0; })
-                           ? integer(GL_CURRENT_PROGRAM) == phong_ ? Layer::shaded : Layer::color
+                           ? lights() ? Layer::shaded : Layer::color
                        : stencil ? Layer::stencil
                                  : Layer::depth;
     gl_.Disable.unrecorded(GL_DEPTH_TEST);
@@ -163,8 +162,13 @@ class PixelCounter final : public gl::DrawObserver {
     return static_cast<GLuint>(value);
   }
 
+  // Whether the program in use takes a light: what more it does than phong is the pass's own.
+  bool lights() const {
+    const GLuint program = integer(GL_CURRENT_PROGRAM);
+    return program != 0 && gl_.GetUniformLocation.unrecorded(program, "light") >= 0;
+  }
+
   const gl::Functions& gl_;
-  GLuint phong_;
   GLuint query_ = 0;
   std::array<double, layer_count> pass_{};
 };

@@ -18,7 +18,7 @@ namespace shadowlab::measure {
 /// What a covered pixel is given.
 enum class Layer {
   color,    ///< a colour, by a shader that does nothing else (shaders/flat)
-  shaded,   ///< a colour, by per-pixel lighting (shaders/phong)
+  shaded,   ///< a colour, by a shader that lights: at least what shaders/phong costs
   depth,    ///< depth alone: colour is masked out
   stencil,  ///< a depth test and a stencil operation: colour and depth are masked out
   count
