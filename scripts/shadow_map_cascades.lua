@@ -17,14 +17,14 @@ local recipe = {
   truth   = "hard",
   params  = {
     light   = param.direction(0.7, 0.75, 0.3),
-    size    = param.integer(512, 16, 2048),   -- of each map
+    size    = param.integer(512, 16, 4096),   -- of each map
     count   = param.integer(4, 1, 4),
     lambda  = param.number(0.8, 0, 1),        -- 0 the uniform split, 1 the logarithmic one
     by      = param.choice("view", "camera", "groups"),
     present = param.toggle(true),             -- split the depth that is present, not all of it
     tint    = param.toggle(true),
   },
-  sweep   = { size = { 256, 512, 1024, 2048 }, count = { 1, 2, 3, 4 } },
+  sweep   = { size = { 256, 512, 1024, 2048, 4096 }, count = { 1, 2, 3, 4 } },
 }
 
 function recipe.holds(r)

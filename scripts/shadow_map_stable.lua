@@ -14,14 +14,14 @@ local recipe = {
   truth   = "hard",
   params  = {
     light  = param.direction(0.7, 0.75, 0.3),
-    size   = param.integer(512, 16, 2048),
+    size   = param.integer(512, 16, 4096),
     count  = param.integer(4, 1, 4),
     lambda = param.number(0.8, 0, 1),
     stable = param.toggle(true),
     -- Moves the camera to its right, metres: watch an edge far off, stable and not.
     aside  = param.number(0, -100, 100),
   },
-  sweep   = { size = { 256, 512, 1024, 2048 } },
+  sweep   = { size = { 256, 512, 1024, 2048, 4096 } },
 }
 
 -- Balls around parts of a view are for a light at infinity.

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "gl/texel_bytes.h"
 #include "lua/boxes.h"
 #include "lua/object.h"
 
@@ -38,7 +39,7 @@ int give(lua_State* L, GLenum target, GLenum internal, int width, int height,
   gl.GenTextures(1, texture);
   push_objects(stage, L, gl::ObjectType::texture, texture);
   stage.objects.resize(gl::ObjectType::texture, texture[0],
-                       std::uint64_t{16} * static_cast<std::uint64_t>(width) *
+                       gl::texel_bytes(internal) * static_cast<std::uint64_t>(width) *
                            static_cast<std::uint64_t>(height) * (cube ? 6 : 1));
   gl.BindTexture(target, texture[0]);
   const bool depth = internal == GL_DEPTH_COMPONENT24 || internal == GL_DEPTH_COMPONENT16 ||

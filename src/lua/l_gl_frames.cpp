@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "gl/texel_bytes.h"
 #include "lua/array.h"
 #include "lua/bind.h"
 #include "lua/l_gl.h"
@@ -164,14 +165,13 @@ int clear_named_framebuffer(lua_State* L) {
 
 // ---- renderbuffers: memory is counted before GL is asked for it
 
-void count_bytes(const Call& call, GLuint renderbuffer, GLsizei width, GLsizei height,
-                 GLsizei samples) {
+void count_bytes(const Call& call, GLuint renderbuffer, GLenum internal, GLsizei width,
+                 GLsizei height, GLsizei samples) {
   constexpr GLsizei most_side = 16384, most_samples = 64;
   if (width > most_side || height > most_side)
     call.refuse(fmt::format("a renderbuffer is at most {} pixels wide and high", most_side));
   if (samples > most_samples) call.refuse(fmt::format("at most {} samples", most_samples));
-  // 16 bytes a pixel is the most that a format of InternalFormat takes.
-  const std::uint64_t bytes = std::uint64_t{16} * static_cast<std::uint64_t>(width) *
+  const std::uint64_t bytes = gl::texel_bytes(internal) * static_cast<std::uint64_t>(width) *
                               static_cast<std::uint64_t>(height) *
                               static_cast<std::uint64_t>(std::max(1, samples));
   call.stage.objects.resize(gl::ObjectType::renderbuffer, renderbuffer, bytes);
@@ -184,15 +184,16 @@ GLuint bound_renderbuffer(const Call& call) {
   return static_cast<GLuint>(name);
 }
 
-void stores(const Call& call, GLenum, GLenum, GLsizei width, GLsizei height) {
-  count_bytes(call, bound_renderbuffer(call), width, height, 1);
+void stores(const Call& call, GLenum, GLenum internal, GLsizei width, GLsizei height) {
+  count_bytes(call, bound_renderbuffer(call), internal, width, height, 1);
 }
-void stores_samples(const Call& call, GLenum, GLsizei samples, GLenum, GLsizei width,
+void stores_samples(const Call& call, GLenum, GLsizei samples, GLenum internal, GLsizei width,
                     GLsizei height) {
-  count_bytes(call, bound_renderbuffer(call), width, height, samples);
+  count_bytes(call, bound_renderbuffer(call), internal, width, height, samples);
 }
-void stores_named(const Call& call, GLuint renderbuffer, GLenum, GLsizei width, GLsizei height) {
-  count_bytes(call, renderbuffer, width, height, 1);
+void stores_named(const Call& call, GLuint renderbuffer, GLenum internal, GLsizei width,
+                  GLsizei height) {
+  count_bytes(call, renderbuffer, internal, width, height, 1);
 }
 
 using bind::plain;

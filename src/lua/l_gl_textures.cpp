@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "gl/texel_bytes.h"
 #include "lua/array.h"
 #include "lua/bind.h"
 #include "lua/l_gl.h"
@@ -52,14 +53,15 @@ void check_sides(const Call& call, const Extent& extent) {
   }
 }
 
-// What an image takes, with all the levels of which it is one; 16 bytes a texel is the most of
-// InternalFormat.
-void count_bytes(const Call& call, GLuint texture, GLint level, const Extent& extent, int images) {
+// What an image takes, with all the levels of which it is one.
+void count_bytes(const Call& call, GLuint texture, GLint level, GLenum internal,
+                 const Extent& extent, int images) {
   check_sides(call, extent);
   if (level < 0 || level > 14) call.refuse("a level is 0 to 14");
   const std::uint64_t texels =
       (extent.texels() << (2 * level)) * static_cast<std::uint64_t>(images);
-  call.stage.objects.grow(gl::ObjectType::texture, texture, texels * 16 * 4 / 3);
+  call.stage.objects.grow(gl::ObjectType::texture, texture,
+                          texels * gl::texel_bytes(internal) * 4 / 3);
 }
 
 int images_of(GLenum target) { return binding_of(target) == GL_TEXTURE_BINDING_CUBE_MAP ? 6 : 1; }
@@ -120,7 +122,7 @@ int tex_image_2d(lua_State* L) {
       call.arguments<gl::ImageTarget2D, gl::Int, gl::InternalFormat, gl::Size, gl::Size, gl::Int,
                      gl::PixelFormat, gl::PixelType>();
   const GLuint texture = bound_texture(call, target);
-  count_bytes(call, texture, level, {width, height}, images_of(target));
+  count_bytes(call, texture, level, internal, {width, height}, images_of(target));
   const auto data = pixels(call, 9, {width, height}, format, type);
   const TightRows tight(call);
   call.gl().TexImage2D(target, level, internal, width, height, border, format, type, data);
@@ -135,7 +137,7 @@ int tex_image_3d(lua_State* L) {
       call.arguments<gl::ImageTarget3D, gl::Int, gl::InternalFormat, gl::Size, gl::Size, gl::Size,
                      gl::Int, gl::PixelFormat, gl::PixelType>();
   const GLuint texture = bound_texture(call, target);
-  count_bytes(call, texture, level, {width, height, depth}, 1);
+  count_bytes(call, texture, level, internal, {width, height, depth}, 1);
   const auto data = pixels(call, 10, {width, height, depth}, format, type);
   const TightRows tight(call);
   call.gl().TexImage3D(target, level, internal, width, height, depth, border, format, type, data);
@@ -185,24 +187,26 @@ void counts_units(const Call& call, GLuint unit, GLuint) {
   if (unit >= units)
     call.wrong_argument(1, fmt::format("the number of a texture unit, 0 to {}", units - 1));
 }
-void stores_2d(const Call& call, GLenum target, GLsizei, GLenum, GLsizei width, GLsizei height) {
-  count_bytes(call, bound_texture(call, target), 0, {width, height}, images_of(target));
+void stores_2d(const Call& call, GLenum target, GLsizei, GLenum internal, GLsizei width,
+               GLsizei height) {
+  count_bytes(call, bound_texture(call, target), 0, internal, {width, height}, images_of(target));
 }
-void stores_3d(const Call& call, GLenum target, GLsizei, GLenum, GLsizei width, GLsizei height,
-               GLsizei depth) {
-  count_bytes(call, bound_texture(call, target), 0, {width, height, depth}, 1);
+void stores_3d(const Call& call, GLenum target, GLsizei, GLenum internal, GLsizei width,
+               GLsizei height, GLsizei depth) {
+  count_bytes(call, bound_texture(call, target), 0, internal, {width, height, depth}, 1);
 }
-void stores_named(const Call& call, GLuint texture, GLsizei, GLenum, GLsizei width,
+void stores_named(const Call& call, GLuint texture, GLsizei, GLenum internal, GLsizei width,
                   GLsizei height) {
-  count_bytes(call, texture, 0, {width, height}, 6);
+  count_bytes(call, texture, 0, internal, {width, height}, 6);
 }
 void aligns(const Call& call, GLenum, GLint value) {
   if (value != 1 && value != 2 && value != 4 && value != 8) call.wrong_argument(2, "1, 2, 4 or 8");
 }
 // glCopyTexImage2D allocates too.
-void copies_image(const Call& call, GLenum target, GLint level, GLenum, GLint, GLint, GLsizei width,
-                  GLsizei height, GLint) {
-  count_bytes(call, bound_texture(call, target), level, {width, height}, images_of(target));
+void copies_image(const Call& call, GLenum target, GLint level, GLenum internal, GLint, GLint,
+                  GLsizei width, GLsizei height, GLint) {
+  count_bytes(call, bound_texture(call, target), level, internal, {width, height},
+              images_of(target));
 }
 
 using bind::plain;

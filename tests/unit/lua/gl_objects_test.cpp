@@ -166,10 +166,10 @@ TEST_F(GlTextures, of_huge_sizes_are_refused_before_gl_sees_them) {
 TEST_F(GlTextures, count_against_the_memory_of_the_recipe_whichever_level_is_large) {
   // 4096² of 16 bytes with their mipmaps are 341 MiB: the fourth is too much.
   for (const char* image :
-       {"gl.TexImage2D(gl.TEXTURE_2D, 0, gl.R8, 4096, 4096, 0, gl.RED, gl.FLOAT)",
-        "gl.TexImage2D(gl.TEXTURE_2D, 1, gl.R8, 2048, 2048, 0, gl.RED, gl.FLOAT)",
-        "gl.TexStorage2D(gl.TEXTURE_2D, 1, gl.R8, 4096, 4096)",
-        "gl.CopyTexImage2D(gl.TEXTURE_2D, 1, gl.R8, 0, 0, 2048, 2048, 0)"}) {
+       {"gl.TexImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 4096, 4096, 0, gl.RED, gl.FLOAT)",
+        "gl.TexImage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 2048, 2048, 0, gl.RED, gl.FLOAT)",
+        "gl.TexStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 4096, 4096)",
+        "gl.CopyTexImage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 0, 0, 2048, 2048, 0)"}) {
     const std::string chunk = std::string(
                                   "for i = 1, 4 do gl.BindTexture(gl.TEXTURE_2D, "
                                   "gl.GenTextures(1)) made = i ") +
