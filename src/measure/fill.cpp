@@ -135,8 +135,10 @@ class PixelCounter final : public gl::DrawObserver {
     gl_.GetBooleanv.unrecorded(GL_COLOR_WRITEMASK, mask);
     const bool depth = gl_.IsEnabled.unrecorded(GL_DEPTH_TEST) != GL_FALSE;
     const bool stencil = gl_.IsEnabled.unrecorded(GL_STENCIL_TEST) != GL_FALSE;
-    const Layer kind = std::any_of(mask.begin(), mask.end(), [](GLboolean on) { return on != 0; })
-                           ? lights() ? Layer::shaded : Layer::color
+    const bool colored =
+        integer(GL_DRAW_BUFFER0) != GL_NONE &&
+        std::any_of(mask.begin(), mask.end(), [](GLboolean on) { return on != 0; });
+    const Layer kind = colored   ? lights() ? Layer::shaded : Layer::color
                        : stencil ? Layer::stencil
                                  : Layer::depth;
     gl_.Disable.unrecorded(GL_DEPTH_TEST);

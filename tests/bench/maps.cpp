@@ -78,8 +78,9 @@ std::string title_of(const MapRecipe& recipe) {
 void print_row(const std::string& recipe, const std::string& scene, int views,
                const std::vector<double>& sizes, const std::vector<double>& wrong) {
   fmt::print("{:<18} {:<8} {:>5}", recipe, scene, views);
-  for (const double count : wrong) fmt::print(" {:>7}", count < 0 ? "-" : fmt::format("{}", count));
-  fmt::print(" {:>8.2f}\n", exponent(sizes, wrong));
+  for (const double count : wrong) fmt::print(" {:>7}", count);
+  const double slope = exponent(sizes, wrong);
+  fmt::print(" {:>8}\n", std::isfinite(slope) ? fmt::format("{:.2f}", slope) : "-");
   std::fflush(stdout);
 }
 

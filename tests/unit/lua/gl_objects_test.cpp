@@ -169,7 +169,7 @@ TEST_F(GlTextures, count_against_the_memory_of_the_recipe_whichever_level_is_lar
        {"gl.TexImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 4096, 4096, 0, gl.RED, gl.FLOAT)",
         "gl.TexImage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 2048, 2048, 0, gl.RED, gl.FLOAT)",
         "gl.TexStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 4096, 4096)",
-        "gl.CopyTexImage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 0, 0, 2048, 2048, 0)"}) {
+        "gl.CopyTexImage2D(gl.TEXTURE_2D, 6, gl.RGBA32F, 0, 0, 64, 64, 0)"}) {
     const std::string chunk = std::string(
                                   "for i = 1, 4 do gl.BindTexture(gl.TEXTURE_2D, "
                                   "gl.GenTextures(1)) made = i ") +
@@ -185,7 +185,19 @@ TEST_F(GlTextures, count_against_the_memory_of_the_recipe_whichever_level_is_lar
   run("gl.BindTexture(gl.TEXTURE_2D, gl.GenTextures(1)) "
       "gl.TexImage2D(gl.TEXTURE_2D, 1, gl.R8, 2048, 2048, 0, gl.RED, gl.FLOAT) "
       "gl.TexImage2D(gl.TEXTURE_2D, 0, gl.R8, 1, 1, 0, gl.RED, gl.FLOAT)");
-  EXPECT_EQ(stage().objects.bytes(), 4096ull * 4096 * 16 * 4 / 3);
+  EXPECT_EQ(stage().objects.bytes(), 4096ull * 4096 * 4 * 4 / 3);
+}
+
+TEST_F(GlTextures, count_the_bytes_of_their_format) {
+  run("gl.BindTexture(gl.TEXTURE_2D, gl.GenTextures(1)) "
+      "gl.TexStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, 60, 32)");
+  EXPECT_EQ(stage().objects.bytes(), 60ull * 32 * 4 * 4 / 3);
+  run("gl.BindTexture(gl.TEXTURE_2D, gl.GenTextures(1)) "
+      "gl.TexStorage2D(gl.TEXTURE_2D, 1, gl.RGBA16F, 60, 32)");
+  EXPECT_EQ(stage().objects.bytes(), 60ull * 32 * (4 + 8) * 4 / 3);
+  run("gl.BindRenderbuffer(gl.RENDERBUFFER, gl.GenRenderbuffers(1)) "
+      "gl.RenderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, 60, 32)");
+  EXPECT_EQ(stage().objects.bytes(), 60ull * 32 * (4 + 8) * 4 / 3 + 60 * 32 * 4);
 }
 
 }  // namespace
