@@ -1,7 +1,6 @@
 -- Shadow volumes of what the frame needs, and no more: volumes_zfail with casters dropped whose volume
 -- reaches nothing that is seen, z-pass without caps where that is right, each volume inside the pixels
--- where it can count, the dark part of only what a shadow may reach, and no pass for the depth alone,
--- since the lit scene leaves it too. Not a pixel differs.
+-- where it can count, and the dark part of only what a shadow may reach. Not a pixel differs.
 -- `shadowlab run planned --explain` says what was kept and dropped, and why.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
@@ -34,16 +33,11 @@ function recipe.draw(r)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
   gl.Enable(gl.DEPTH_TEST)
 
-  -- LEQUAL: where two surfaces are equally near the later one is seen, as when the depths are there
-  -- before.
-  pass("1. what is seen, lit, and its depth", function()
-    gl.DepthFunc(gl.LEQUAL)
-    for _, object in ipairs(plan.seen) do
-      object:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
-    end
+  pass("1. what is seen in the depth buffer", function()
+    gl.ColorMask(false, false, false, false)
+    for _, object in ipairs(plan.seen) do object:draw(r.phong, seen) end
   end)
 
-  gl.ColorMask(false, false, false, false)
   gl.DepthMask(false)
   gl.Enable(gl.STENCIL_TEST)
   for i, batch in ipairs(batches) do
@@ -105,6 +99,13 @@ function recipe.draw(r)
                              ambient = r.params.darkness })
     end
     gl.Disable(gl.SCISSOR_TEST)
+  end)
+
+  pass("5. the lit part of what is seen", function()
+    gl.StencilFunc(gl.EQUAL, 0, 0xFF)
+    for _, object in ipairs(plan.seen) do
+      object:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
+    end
   end)
 end
 

@@ -185,7 +185,7 @@ Extent common(const Reach& reach, const Crate& caster, const Body& body, const E
 }
 
 // Bodies that a caster is held against exactly; of more it is said to meet all that may be met.
-constexpr int most_clipped = 8;
+constexpr int most_clipped = 4;
 
 class Planner {
  public:
