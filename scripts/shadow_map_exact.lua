@@ -5,6 +5,12 @@
 -- Z-Buffer, 2005, and T. Aila, S. Laine, Alias-Free Shadow Maps, 2004, which keep the view's samples
 -- in the light's grid and run over the casters). While light, casters and camera are still the grid is
 -- kept; its size is a matter of speed alone, not of the picture.
+--
+-- What is left is a float's rounding: a point nearer to a silhouette than the map's coordinates and
+-- depths can tell, some millionths of the map, may fall on either side of it. Seen from inside of a
+-- caster, along the crease of a lit and an unlit face, that is a lit pixel in the dark, about one in
+-- 300,000; a smaller tolerance in depth loses more, to acne. Where hundreds of large triangles lie over
+-- each other in every cell, as in the scene shells, sorting them takes seconds: 48 cells a side do there.
 local draw_lit = require "parts.draw_lit"
 local triangle_grid = require "parts.triangle_grid"
 
