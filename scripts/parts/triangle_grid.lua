@@ -57,8 +57,9 @@ function triangle_grid.build(casters, to_texture, least, cells)
     if area == 0 then return end          -- edge on, it hides nothing
     local along_s = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area
     local along_t = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / area
-    -- A point of the triangle's own plane is not beyond it, whatever floats make of its place.
-    local tolerance = 2e-6 + 1e-6 * (math.abs(along_s) + math.abs(along_t))
+    -- A point of the triangle's own plane is not beyond it, whatever floats make of its depth
+    -- (2e-6) and of its place on the map, which a steep plane turns into depth (1e-5 of the map's side).
+    local tolerance = 2e-6 + 1e-5 * (math.abs(along_s) + math.abs(along_t))
     local turn = area > 0 and 1 or -1
     local low_x, high_x = math.min(a.x, b.x, c.x), math.max(a.x, b.x, c.x)
     local low_y, high_y = math.min(a.y, b.y, c.y), math.max(a.y, b.y, c.y)
