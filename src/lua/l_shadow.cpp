@@ -113,6 +113,7 @@ void open_shadow(Stage& stage) {
   set_functions(L, functions);
   set_functions(L, map_functions());
   set_functions(L, volume_functions());
+  set_functions(L, silhouette_functions());
   set_functions(L, plan_functions());
   set_functions(L, extrusion_functions());
   set_functions(L, sample_functions());

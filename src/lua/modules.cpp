@@ -35,6 +35,7 @@ std::vector<Module> all_modules() {
   modules.push_back({"shadow", "The subject, in double precision.", shadow_functions()});
   modules.push_back({"shadow", "Shadow maps.", map_functions()});
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
+  modules.push_back({"shadow", "Casters as the light sees them.", silhouette_functions()});
   modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});
   modules.push_back({"shadow", "Soft light.", sample_functions()});
   modules.push_back({"shadow", "What a frame needs.", plan_functions()});

@@ -130,7 +130,16 @@ MeshBox caster_mesh(lua_State* L, int index, const char* function);
 /// The model matrix at `index`; nil is that of the object which argument 1 is, or none.
 glm::dmat4 caster_model(lua_State* L, int index, const char* function);
 
-/// shadow.volume and its like, for the table of shadow.*; and their methods.
+/// What an explanation calls the mesh or object at `index`.
+std::string caster_name(lua_State* L, int index);
+/// The light in the caster's space, as the very floats that the shader extrudes from: so that its
+/// sides and what is decided here agree.
+glm::dvec4 light_as_drawn(const glm::dmat4& model, const scene::Light& light);
+
+/// shadow.needs_zfail, .parts, .adjacency and .silhouette.
+std::span<const Entry> silhouette_functions();
+
+/// shadow.volume, for the table of shadow.*; and its methods.
 std::span<const Entry> volume_functions();
 std::span<const Entry> volume_methods();
 /// The stage's pool and the metatable of volumes; once for a state.
