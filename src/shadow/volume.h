@@ -110,12 +110,23 @@ class VolumeBuilder {
   std::span<const ClosedComponent> closed_components() const { return closed_; }
   /// Edges that `build` looks up one by one, for benchmarks.
   std::size_t indexed_edge_count() const { return edge_triangles_.size() + knot_vertices_.size(); }
+  /// How often it compares the coefficients of all triangles with those some places on.
+  std::size_t run_count() const { return runs_.size(); }
 
  private:
   using Index = std::uint32_t;
+  // Edges between each triangle t and t + stride, whose boundary is c[t] - c[t + stride]: so many
+  // in the order of most meshes, along strips and from strip to strip, that they are compared eight
+  // at a time.
+  struct Run {
+    std::size_t stride = 0;
+    std::vector<std::int8_t> edges;  // -1 where there is one, else 0
+    std::vector<std::array<Index, 2>> vertices;
+  };
   void collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                      std::span<const std::uint8_t> turned);
-  std::span<const Index> boundary_of_runs();
+  void take_run(std::size_t stride);
+  std::span<const Index> boundary_of(const Run& run);
   std::span<const Index> boundary_of_edges();
   template <bool quads>
   Index* append_sides(Index* out);
@@ -127,10 +138,7 @@ class VolumeBuilder {
   std::vector<ClosedComponent> closed_;
   std::vector<glm::vec4> vertices_;
   std::vector<scene::Triangle> front_, back_;  // caps of c = 1, as indices into vertices_
-  // The edge between each triangle and the next, whose boundary is c - next c, where there is one
-  // (run_ is then -1, else 0). In most meshes' order that is two edges of three.
-  std::vector<std::int8_t> run_;
-  std::vector<std::array<Index, 2>> run_vertices_;
+  std::vector<Run> runs_;
   // The others of at most two triangles, of opposite directions: c[0] - c[1]; a missing triangle is
   // the one past the end, whose c is 0.
   std::vector<std::array<Index, 2>> edge_triangles_;

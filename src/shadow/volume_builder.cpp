@@ -75,13 +75,14 @@ Arrangement arranged(const scene::Adjacency& mesh, const std::vector<Component>&
   return out;
 }
 
-/// A side on a→b as often as `multiplicity` says, on b→a where that is negative. The front cap runs
-/// along a→b, so the side runs b→a.
+/// A side on a→b as often as `multiplicity` says, on b→a where that is negative; at least once. The
+/// front cap runs along a→b, so the side runs b→a.
 template <bool quads>
 Index* append_side(Index* out, std::array<Index, 2> edge, int multiplicity) {
   const bool turned = multiplicity < 0;
   const Index a = edge[turned ? 1 : 0], b = edge[turned ? 0 : 1];
-  for (int i = std::abs(multiplicity); i > 0; --i) {
+  int left = std::abs(multiplicity);
+  do {
     out[0] = b;
     out[1] = a;
     out[2] = a + 1;
@@ -91,7 +92,7 @@ Index* append_side(Index* out, std::array<Index, 2> edge, int multiplicity) {
       out[5] = b + 1;
     }
     out += quads ? 6 : 3;
-  }
+  } while (--left > 0);
   return out;
 }
 
@@ -119,8 +120,10 @@ VolumeBuilder::VolumeBuilder(const scene::Adjacency& mesh) : planes_({}, {}) {
   const std::size_t count = arrangement.triangles.size();
   front_.resize(count + word_size);
   back_.resize(count + word_size);
-  chain_.assign(count + 2 * word_size, 0);
   collect_edges(mesh, arrangement.place, arrangement.turned);
+  std::size_t furthest = 0;
+  for (const Run& run : runs_) furthest = std::max(furthest, run.stride);
+  chain_.assign(count + furthest + 2 * word_size, 0);
   planes_ = FacingPlanes(mesh.positions, std::move(arrangement.triangles));
   // A word more than can be found, and than the worst case of a side of six indices for each
   // triangle at each edge and two caps: some are written before it is known whether they stay.
@@ -132,8 +135,6 @@ VolumeBuilder::VolumeBuilder(const scene::Adjacency& mesh) : planes_({}, {}) {
 void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                                   std::span<const std::uint8_t> turned) {
   const auto missing = static_cast<Index>(place.size());
-  run_.assign(place.size() + word_size, 0);
-  run_vertices_.resize(place.size());
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const auto around = mesh.at(e);
     const auto [a, b] = mesh.edges[e];
@@ -144,13 +145,8 @@ void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const 
       const Index t = place[around[0].triangle()];
       const Index u = around.size() == 1 ? missing : place[around[1].triangle()];
       // t < u: triangles of one component keep their order.
-      if (u == t + 1 && run_[t] == 0) {
-        run_[t] = -1;
-        run_vertices_[t] = ends;
-      } else {
-        edge_triangles_.push_back({t, u});
-        edge_vertices_.push_back(ends);
-      }
+      edge_triangles_.push_back({t, u});
+      edge_vertices_.push_back(ends);
       continue;
     }
     knot_vertices_.push_back(ends);
@@ -160,6 +156,40 @@ void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const 
     }
   }
   knot_begin_.push_back(static_cast<Index>(knot_incidences_.size()));
+
+  std::vector<std::size_t> strides;
+  for (const auto& [t, u] : edge_triangles_) {
+    if (u != missing) strides.push_back(u - t);
+  }
+  std::ranges::sort(strides);
+  // Eight triangles are compared in the time that two edges are looked up.
+  const std::size_t worth = place.size() / 4;
+  for (auto at = strides.begin(); at != strides.end();) {
+    const auto next = std::upper_bound(at, strides.end(), *at);
+    if (static_cast<std::size_t>(next - at) > worth) take_run(*at);
+    at = next;
+  }
+}
+
+// The edges of one stride become a run; a second one between the same two triangles stays.
+void VolumeBuilder::take_run(std::size_t stride) {
+  const std::size_t count = front_.size() - word_size;
+  Run run{stride, std::vector<std::int8_t>(count + word_size, 0),
+          std::vector<std::array<Index, 2>>(count)};
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < edge_triangles_.size(); ++e) {
+    const auto [t, u] = edge_triangles_[e];
+    if (u == t + stride && u < count && run.edges[t] == 0) {
+      run.edges[t] = -1;
+      run.vertices[t] = edge_vertices_[e];
+    } else {
+      edge_triangles_[kept] = edge_triangles_[e];
+      edge_vertices_[kept++] = edge_vertices_[e];
+    }
+  }
+  edge_triangles_.resize(kept);
+  edge_vertices_.resize(kept);
+  runs_.push_back(std::move(run));
 }
 
 std::span<const std::int8_t> VolumeBuilder::chain(glm::dvec4 light, Faces faces) {
@@ -185,13 +215,13 @@ std::span<const std::int8_t> VolumeBuilder::chain(glm::dvec4 light, Faces faces)
   return chain;
 }
 
-std::span<const std::uint32_t> VolumeBuilder::boundary_of_runs() {
-  const std::int8_t *const chain = chain_.data(), *const run = run_.data();
+std::span<const std::uint32_t> VolumeBuilder::boundary_of(const Run& run) {
+  const std::int8_t *const chain = chain_.data(), *const next = chain + run.stride,
+                           *const edges = run.edges.data();
   Index* const boundary = boundary_.get();
   std::size_t found = 0;
   for (std::size_t t = 0; t < triangle_count(); t += word_size) {
-    const std::uint64_t differing =
-        (word_at(chain + t) ^ word_at(chain + t + 1)) & word_at(run + t);
+    const std::uint64_t differing = (word_at(chain + t) ^ word_at(next + t)) & word_at(edges + t);
     if (differing == 0) continue;
     // Of coefficients 1, 0, -1 any two differ in one of the lowest two bits. The product brings
     // each byte's lowest bit into the top byte.
@@ -223,8 +253,10 @@ std::span<const std::uint32_t> VolumeBuilder::boundary_of_edges() {
 
 template <bool quads>
 std::uint32_t* VolumeBuilder::append_sides(Index* out) {
-  for (const Index t : boundary_of_runs()) {
-    out = append_side<quads>(out, run_vertices_[t], chain_[t] - chain_[t + 1]);
+  for (const Run& run : runs_) {
+    for (const Index t : boundary_of(run)) {
+      out = append_side<quads>(out, run.vertices[t], chain_[t] - chain_[t + run.stride]);
+    }
   }
   for (const Index e : boundary_of_edges()) {
     const auto& [t, u] = edge_triangles_[e];
@@ -235,7 +267,7 @@ std::uint32_t* VolumeBuilder::append_sides(Index* out) {
     for (Index i = knot_begin_[k]; i < knot_begin_[k + 1]; ++i) {
       multiplicity += knot_incidences_[i].sign() * chain_[knot_incidences_[i].triangle()];
     }
-    out = append_side<quads>(out, knot_vertices_[k], multiplicity);
+    if (multiplicity != 0) out = append_side<quads>(out, knot_vertices_[k], multiplicity);
   }
   return out;
 }

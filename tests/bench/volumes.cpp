@@ -102,14 +102,14 @@ __attribute__((target_clones("avx2", "default"))) std::uint64_t sum_of(const std
 }
 
 /// Reads and writes, once and in order, as many bytes as `build` must: a triangle's plane (16), its
-/// coefficient (1 written, 1 read) and whether it runs on (1); 8 for each edge that is looked up;
-/// for caps the three indices of the triangles that are copied, twice, and the coefficients twice;
-/// and the indices that come out.
+/// coefficient (1 written, 1 read) and whether it has an edge of each run (1); 8 for each edge that
+/// is looked up; for caps the three indices of the triangles that are copied, twice, and the
+/// coefficients twice; and the indices that come out.
 void stream(benchmark::State& state, shadow::Caps caps) {
   shadow::VolumeBuilder builder(adjacency_of(static_cast<std::size_t>(state.range(0))));
   const std::size_t triangles = builder.triangle_count();
   const auto built = builder.build(light_at(16), {.caps = caps});
-  std::size_t reads = triangles * (16 + 1 + 1) + builder.indexed_edge_count() * 8;
+  std::size_t reads = triangles * (16 + 1 + builder.run_count()) + builder.indexed_edge_count() * 8;
   if (caps == shadow::Caps::both) {
     reads += triangles * 2 + built.front_cap.size_bytes() + built.back_cap.size_bytes();
   }
