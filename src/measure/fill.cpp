@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/version.h"
+#include "measure/median.h"
 
 namespace shadowlab::measure {
 namespace {
@@ -17,12 +18,6 @@ constexpr double mpix = 1024 * 1024;
 double now() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::shared_ptr<gl::Shader> stock(gl::Graphics& graphics, const std::string& name) {

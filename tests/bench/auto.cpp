@@ -16,6 +16,7 @@
 #include "core/version.h"
 #include "measure/check.h"
 #include "measure/fill.h"
+#include "measure/median.h"
 
 namespace shadowlab {
 namespace {
@@ -25,11 +26,6 @@ constexpr int views = 5, frames = 11;
 double now() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 recipe::Options in_scene(const std::string& scene) {
@@ -70,7 +66,7 @@ class Side {
     graphics_.gl.Finish();
     times_.push_back(now() - begin);
   }
-  void end_view() { cost_.ms += median(times_); }
+  void end_view() { cost_.ms += measure::median(times_); }
   const image::Image& picture() const { return picture_; }
 
  private:

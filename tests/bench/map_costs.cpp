@@ -17,6 +17,7 @@
 
 #include "core/version.h"
 #include "measure/fill.h"
+#include "measure/median.h"
 
 namespace shadowlab {
 namespace {
@@ -25,12 +26,6 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::filesystem::path file_of(const std::string& recipe) {
   return home() / "scripts" / (recipe + ".lua");
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // ---- costs, as ratios within one run
@@ -55,7 +50,7 @@ class Timed {
     }
     times_.push_back(sum);
   }
-  double ms() const { return median(times_); }
+  double ms() const { return measure::median(times_); }
 
  private:
   static recipe::Options timed_in(const std::string& scene) {

@@ -17,6 +17,7 @@
 
 #include "core/version.h"
 #include "measure/check.h"
+#include "measure/median.h"
 #include "truth/tracer.h"
 
 namespace shadowlab {
@@ -26,12 +27,6 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::filesystem::path file_of(const std::string& recipe) {
   return home() / "scripts" / (recipe + ".lua");
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Of the least squares line through (log x, log y), where y is not 0; NaN for fewer than two
@@ -141,7 +136,7 @@ class SeenView {
     for (const auto& surface : surfaces_.surfaces) {
       if (surface.hit()) depths.push_back(surface.depth);
     }
-    middle_ = depths.empty() ? 0 : median(depths);
+    middle_ = depths.empty() ? 0 : measure::median(depths);
   }
 
   NearAndFar wrong(gl::Graphics& graphics, recipe::Recipe& recipe) const {

@@ -16,6 +16,7 @@
 
 #include "core/version.h"
 #include "measure/check.h"
+#include "measure/median.h"
 #include "shadow/plan.h"
 
 namespace shadowlab {
@@ -27,11 +28,6 @@ double now() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 class Side {
@@ -46,7 +42,7 @@ class Side {
   const scene::Scene* scene() const { return recipe_.scene(); }
   glm::dvec4 light() const { return light_; }
   const gl::Work& work() const { return recipe_.work(); }
-  double milliseconds() const { return median(times_); }
+  double milliseconds() const { return measure::median(times_); }
 
   image::Image look(const measure::View& view) {
     recipe_.set_camera(view.camera);
@@ -89,7 +85,7 @@ double planning(const scene::Scene& scene, glm::dvec4 light, int size, int frame
     shadow::plan(scene, scene.camera, light, {size, size});
     times.push_back(now() - begin);
   }
-  return median(times);
+  return measure::median(times);
 }
 
 void compare(gl::Graphics& graphics, const std::string& name, int frames) {
