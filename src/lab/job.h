@@ -1,0 +1,67 @@
+// What a recipe is asked to draw for a mark, and what it drew.
+//
+// A solution of ours is drawn in this process (draw); a submission in one of its own (worker.h),
+// which is sent a Job and sends Drawings back. Neither references nor marks are ever in a Job.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/graphics.h"
+#include "image/image.h"
+#include "lua/state.h"
+#include "scene/scene.h"
+
+namespace shadowlab::lab {
+
+/// One picture that is asked for.
+struct Shot {
+  std::optional<std::string> scene;                           ///< in place of the recipe's own
+  std::vector<std::pair<std::string, std::string>> settings;  ///< parameters, as --set takes them
+  std::optional<scene::Camera> camera;                        ///< in place of the scene's
+};
+
+struct Job {
+  std::filesystem::path recipe;
+  int width = 256, height = 256;  ///< pixels
+  std::vector<Shot> shots;
+  bool passes = false;  ///< also what is in the buffers after each pass, and every GL call
+  lua::Limits limits;
+};
+
+/// What the main frame's buffers held at one moment; rows from the top.
+struct Buffers {
+  std::string pass;  ///< the pass that had just ended; "" for the end of the frame
+  image::Image color;
+  image::FloatImage depth;  ///< window depth, 0 to 1
+  std::vector<std::uint8_t> stencil;
+};
+
+/// One GL call of a frame, as C writes it.
+struct Call {
+  std::string function;                ///< "glStencilFunc"
+  std::vector<std::string> arguments;  ///< "GL_ALWAYS", "1", "0xFF"
+  int pass = -1;                       ///< index into passes, -1 outside of any
+};
+
+/// What came of one shot.
+struct Drawing {
+  std::optional<std::string> error;  ///< one sentence; the rest is then what came before it
+  Buffers frame;                     ///< at its end
+  std::vector<Buffers> passes;       ///< in their order, where the job asked for them
+  std::vector<Call> calls;           ///< likewise
+  std::string printed;
+  double milliseconds = 0;
+};
+
+/// Draws the job's shots in their order in `graphics`, which has the job's size, and hands each
+/// over as soon as it is drawn. What is wrong with the recipe is in the drawing, never thrown.
+void draw(gl::Graphics& graphics, const Job& job,
+          const std::function<void(std::size_t shot, Drawing)>& drawn);
+
+}  // namespace shadowlab::lab
