@@ -21,17 +21,22 @@ namespace shadowlab::lab {
 
 /// One picture that is asked for.
 struct Shot {
-  std::optional<std::string> scene;                           ///< in place of the recipe's own
-  std::vector<std::pair<std::string, std::string>> settings;  ///< parameters, as --set takes them
-  std::optional<scene::Camera> camera;                        ///< in place of the scene's
+  std::optional<std::string> scene = std::nullopt;  ///< in place of the recipe's own
+  std::vector<std::pair<std::string, std::string>> settings =
+      {};                                              ///< parameters, as --set takes them
+  std::optional<scene::Camera> camera = std::nullopt;  ///< in place of the scene's
 };
+
+/// The first passes and calls of a frame are kept, and no more: neither a lab nor a student has so
+/// many, and what a submission makes us keep has to end.
+inline constexpr std::size_t most_passes = 64, most_calls = 20'000;
 
 struct Job {
   std::filesystem::path recipe;
   int width = 256, height = 256;  ///< pixels
-  std::vector<Shot> shots;
+  std::vector<Shot> shots = {};
   bool passes = false;  ///< also what is in the buffers after each pass, and every GL call
-  lua::Limits limits;
+  lua::Limits limits = {};
 };
 
 /// What the main frame's buffers held at one moment; rows from the top.
@@ -60,8 +65,9 @@ struct Drawing {
 };
 
 /// Draws the job's shots in their order in `graphics`, which has the job's size, and hands each
-/// over as soon as it is drawn. What is wrong with the recipe is in the drawing, never thrown.
+/// over to `each` as soon as it is drawn, without anything left of the one before. What is wrong
+/// with the recipe is in the drawing, never thrown.
 void draw(gl::Graphics& graphics, const Job& job,
-          const std::function<void(std::size_t shot, Drawing)>& drawn);
+          const std::function<void(std::size_t shot, Drawing)>& each);
 
 }  // namespace shadowlab::lab

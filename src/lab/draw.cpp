@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+#include "core/error.h"
+#include "gl/recorder.h"
+#include "lab/job.h"
+#include "recipe/recipe.h"
+
+namespace shadowlab::lab {
+namespace {
+
+double now() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+Buffers read(const gl::MainFrame& frame, std::string pass) {
+  return {std::move(pass), frame.read_color(), frame.read_depth(), frame.read_stencil()};
+}
+
+// The calls of the frame that `recorder` holds, as C writes them.
+std::vector<Call> calls_of(const gl::Recorder& recorder) {
+  std::vector<Call> calls;
+  const std::size_t count = std::min(recorder.size(), most_calls);
+  calls.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    gl::TracedCall call = recorder.call(i);
+    calls.push_back({std::string(call.function), std::move(call.arguments), call.pass});
+  }
+  return calls;
+}
+
+// Traces what `graphics` is asked for, while it lives.
+class Traced {
+ public:
+  Traced(gl::Graphics& graphics, gl::Recorder& recorder) : graphics_(graphics) {
+    graphics_.trace_into(&recorder);
+  }
+  ~Traced() { graphics_.trace_into(nullptr); }
+  Traced(const Traced&) = delete;
+  Traced& operator=(const Traced&) = delete;
+
+ private:
+  gl::Graphics& graphics_;
+};
+
+recipe::Options options_of(const Job& job, const Shot& shot, std::string& printed) {
+  recipe::Options options;
+  options.limits = job.limits;
+  options.scene = shot.scene;
+  options.print = [&printed](std::string_view text) { printed += text; };
+  return options;
+}
+
+// A recipe anew for each shot: nothing that a script keeps reaches the next one.
+void draw_into(Drawing& drawing, gl::Graphics& graphics, const Job& job, const Shot& shot) {
+  recipe::Recipe recipe(graphics, job.recipe, options_of(job, shot, drawing.printed));
+  for (const auto& [name, value] : shot.settings) recipe.set(name, value);
+  if (shot.camera) recipe.set_camera(*shot.camera);
+  gl::Recorder recorder;
+  std::optional<Traced> traced;
+  if (job.passes) {
+    traced.emplace(graphics, recorder);
+    recipe.on_pass_end([&](std::size_t pass) {
+      if (drawing.passes.size() < most_passes)
+        drawing.passes.push_back(read(graphics.frame, recipe.passes()[pass].name));
+    });
+  }
+  try {
+    recipe.draw();
+  } catch (const InputError& problem) {
+    drawing.error = problem.what();
+  }
+  drawing.calls = calls_of(recorder);
+  drawing.frame = read(graphics.frame, "");
+}
+
+Drawing drawn(gl::Graphics& graphics, const Job& job, const Shot& shot) {
+  const double began = now();
+  Drawing drawing;
+  try {
+    draw_into(drawing, graphics, job, shot);
+  } catch (const InputError& problem) {
+    drawing.error = problem.what();
+  } catch (const std::bad_alloc&) {
+    drawing.error = "there is no memory left for that";
+  }
+  drawing.milliseconds = now() - began;
+  return drawing;
+}
+
+}  // namespace
+
+void draw(gl::Graphics& graphics, const Job& job,
+          const std::function<void(std::size_t shot, Drawing)>& each) {
+  if (graphics.width() != job.width || graphics.height() != job.height) {
+    throw InputError(
+        fmt::format("a job of {}x{} pixels needs a frame of that size", job.width, job.height));
+  }
+  for (std::size_t i = 0; i < job.shots.size(); ++i) each(i, drawn(graphics, job, job.shots[i]));
+}
+
+}  // namespace shadowlab::lab
