@@ -1,0 +1,65 @@
+-- Right in another way: the caster is drawn before the dark part, which the depth test then keeps
+-- behind it; and the matrix is written out.
+local recipe = {
+  title   = "Lab 06: a projected shadow in four passes, by stencil",
+  lecture = "000_178f3ee06912f876: Ombres per projecció (amb stencil)",
+  scene   = "table",
+  params  = {
+    light    = param.point(2, 4, 1),
+    darkness = param.number(0.35, 0, 1),   -- what is left of the receiver's colour in the shadow
+  },
+}
+
+function recipe.setup(r)
+  r.phong = shader.load "phong"
+  r.flat = shader.load "flat"
+end
+
+function recipe.draw(r)
+  local scene, light, darkness = r.scene, r.params.light, r.params.darkness
+  local receiver, caster = scene.receivers[1], scene.casters[1]
+  local view, projection = scene.camera:view(), scene.camera:projection(r.width / r.height)
+
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+
+  pass("1. the receiver marks the stencil", function()
+    gl.Enable(gl.STENCIL_TEST)
+    gl.StencilFunc(gl.ALWAYS, 1, 1)
+    gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
+    receiver:draw(r.phong, { view = view, projection = projection, light = light, ambient = darkness })
+  end)
+
+  pass("2. the projected caster clears it where the shadow falls", function()
+    gl.Disable(gl.DEPTH_TEST)
+    gl.ColorMask(false, false, false, false)
+    gl.StencilFunc(gl.EQUAL, 1, 1)
+    gl.StencilOp(gl.KEEP, gl.KEEP, gl.ZERO)
+    local p, l = receiver.plane, light
+    local d = p:dot(l)
+    local onto_plane = mat4.rows(d - l.x * p.x,    -l.x * p.y,    -l.x * p.z,    -l.x * p.w,
+                                    -l.y * p.x, d - l.y * p.y,    -l.y * p.z,    -l.y * p.w,
+                                    -l.z * p.x,    -l.z * p.y, d - l.z * p.z,    -l.z * p.w,
+                                    -l.w * p.x,    -l.w * p.y,    -l.w * p.z, d - l.w * p.w)
+    caster:draw(r.flat, { view = view, projection = projection, model = onto_plane * caster.model })
+  end)
+
+  pass("3. the caster", function()
+    gl.Enable(gl.DEPTH_TEST)
+    gl.ColorMask(true, true, true, true)
+    gl.Disable(gl.STENCIL_TEST)
+    caster:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
+  end)
+
+  pass("4. the dark part of the receiver", function()
+    gl.Enable(gl.STENCIL_TEST)
+    gl.DepthFunc(gl.LEQUAL)
+    gl.StencilFunc(gl.EQUAL, 0, 1)
+    gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+    receiver:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = darkness })
+  end)
+
+end
+
+return recipe
