@@ -1,0 +1,73 @@
+-- hint: The shadows are in the wrong place: the caster is flattened first and placed afterwards. Matrices act from right to left, so the shadow's stands to the left of caster.model.
+-- hint.ca: Les ombres són en un lloc equivocat: l'oclusor primer s'aplana i després es col·loca. Les matrius actuen de dreta a esquerra, i per tant la de l'ombra va a l'esquerra de caster.model.
+-- hint.es: Las sombras están en un lugar equivocado: el oclusor primero se aplana y después se coloca. Las matrices actúan de derecha a izquierda, así que la de la sombra va a la izquierda de caster.model.
+-- hint.fr: Les ombres ne sont pas au bon endroit : l'objet est aplati d'abord et placé ensuite. Les matrices agissent de droite à gauche, celle de l'ombre va donc à gauche de caster.model.
+
+local recipe = {
+  title   = "Lab 01: the matrix of a projected shadow",
+  lecture = "002_b957b372f85420d1: Hard shadows",
+  scene   = "room",
+  truth   = "hard on receivers",
+  params  = { light = param.point(0.2, 2.1, 0.9), darkness = param.number(0.25, 0, 1) },
+}
+
+-- multShadowMat(): projects from the light onto the plane. Both are vec4s of the world's space.
+local function shadow_matrix(plane, light)
+  local a, b, c, d = plane.x, plane.y, plane.z, plane.w
+  local x, y, z, w = light.x, light.y, light.z, light.w
+  local dot = a * x + b * y + c * z + d * w
+  return mat4(dot - x * a, -y * a, -z * a, -w * a,
+              -x * b, dot - y * b, -z * b, -w * b,
+              -x * c, -y * c, dot - z * c, -w * c,
+              -x * d, -y * d, -z * d, dot - w * d)
+end
+
+function recipe.setup(r)
+  r.gouraud = shader.load "gouraud"
+  r.planar = shader.load "planar"
+  r.orb = shader.load "orb"
+  r.sphere = mesh.sphere(0.04, 24, 12)
+end
+
+function recipe.draw(r)
+  local scene, light, darkness = r.scene, r.params.light, r.params.darkness
+  local view, projection = scene.camera:view(), scene.camera:projection(r.width / r.height)
+
+  gl.ClearColor(0.10, 0.11, 0.14, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+
+  pass("the light", function()
+    r.sphere:draw(r.orb, { view = view, projection = projection, color = vec3(1, 0.95, 0.7),
+                           model = mat4.translate(light.xyz) })
+  end)
+
+  for _, wall in ipairs(scene.receivers) do
+    -- The stencil keeps the shadow on its wall: that is lab 03.
+    pass("the " .. wall.name, function()
+      gl.Clear(gl.STENCIL_BUFFER_BIT)
+      gl.Enable(gl.STENCIL_TEST)
+      gl.StencilFunc(gl.ALWAYS, 1, 0xFF)
+      gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
+      wall:draw(r.gouraud, { view = view, projection = projection, light = light, ambient = darkness })
+    end)
+
+    pass("its shadows", function()
+      gl.StencilFunc(gl.EQUAL, 1, 0xFF)
+      gl.Disable(gl.DEPTH_TEST)
+      local flattening_plane = wall.plane
+      for _, caster in ipairs(scene.casters) do
+        caster:draw(r.planar, { view = view, projection = projection, color = wall.color * darkness,
+                                model = caster.model * shadow_matrix(flattening_plane, light) })
+      end
+      gl.Enable(gl.DEPTH_TEST)
+      gl.Disable(gl.STENCIL_TEST)
+    end)
+  end
+
+  pass("the teapot and the torus", function()
+    scene.caster:draw(r.gouraud, { view = view, projection = projection, light = light, ambient = darkness })
+  end)
+end
+
+return recipe

@@ -1,0 +1,46 @@
+-- hint: The picture is a little too dark and its shadows lack a step: the frame is accumulated when it has just been cleared, before the drawing. Draw first, then accumulate.
+-- hint.ca: La imatge és una mica massa fosca i a les ombres els falta un graó: el framebuffer s'acumula acabat d'esborrar, abans del dibuix. Primer dibuixa, després acumula.
+-- hint.es: La imagen es algo oscura y a las sombras les falta un escalón: el framebuffer se acumula recién borrado, antes del dibujo. Primero dibuja, después acumula.
+-- hint.fr: L'image est un peu trop sombre et il manque un palier aux ombres : le framebuffer est accumulé juste après l'effacement, avant le dessin. Dessine d'abord, accumule ensuite.
+
+local hard_room = require "parts.hard_room"
+
+local recipe = {
+  title   = "Lab 02: soft shadows by the accumulation buffer",
+  lecture = "002_b957b372f85420d1: Soft shadows",
+  scene   = "room",
+  params  = {
+    light      = param.point(0.2, 2.1, 0.9),
+    numJitters = param.integer(8, 1, 256),
+    radius     = param.number(0.25, 0, 1),    -- of the lamp, a sphere
+    darkness   = param.number(0.25, 0, 1),
+  },
+}
+
+function recipe.setup(r)
+  hard_room.setup(r)
+end
+
+function recipe.draw(r)
+  local light, numJitters = r.params.light, r.params.numJitters
+  -- numJitters places in the lamp, as offsets from its centre.
+  local jitters = shadow.samples({ center = vec3(0), radius = r.params.radius }, numJitters, "hammersley", 1)
+
+  gl.ClearColor(0.10, 0.11, 0.14, 1)
+  gl.Clear(gl.ACCUM_BUFFER_BIT)
+
+  for i = 1, numJitters do
+    pass("drawing " .. i .. " of " .. numJitters, function()
+      local jittered = light + vec4(jitters[i].xyz, 0)
+      gl.Accum(gl.ACCUM, 1 / numJitters)
+      gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+      hard_room.draw(r, jittered, r.params.darkness)
+    end)
+  end
+
+  pass("the average", function()
+    gl.Accum(gl.RETURN, 1)
+  end)
+end
+
+return recipe

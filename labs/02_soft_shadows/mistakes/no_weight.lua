@@ -1,0 +1,46 @@
+-- hint: Each drawing is added whole: the sum leaves [-1, 1], all that the accumulation buffer holds, and its colours are lost. Add each with weight 1 / numJitters.
+-- hint.ca: Cada dibuix se suma sencer: la suma surt de [-1, 1], que és tot el que hi cap al buffer d'acumulació, i els colors es perden. Suma cadascun amb pes 1 / numJitters.
+-- hint.es: Cada dibujo se suma entero: la suma se sale de [-1, 1], que es todo lo que cabe en el buffer de acumulación, y los colores se pierden. Suma cada uno con peso 1 / numJitters.
+-- hint.fr: Chaque dessin est ajouté en entier : la somme sort de [-1, 1], tout ce que contient le tampon d'accumulation, et les couleurs sont perdues. Ajoute chacun avec le poids 1 / numJitters.
+
+local hard_room = require "parts.hard_room"
+
+local recipe = {
+  title   = "Lab 02: soft shadows by the accumulation buffer",
+  lecture = "002_b957b372f85420d1: Soft shadows",
+  scene   = "room",
+  params  = {
+    light      = param.point(0.2, 2.1, 0.9),
+    numJitters = param.integer(8, 1, 256),
+    radius     = param.number(0.25, 0, 1),    -- of the lamp, a sphere
+    darkness   = param.number(0.25, 0, 1),
+  },
+}
+
+function recipe.setup(r)
+  hard_room.setup(r)
+end
+
+function recipe.draw(r)
+  local light, numJitters = r.params.light, r.params.numJitters
+  -- numJitters places in the lamp, as offsets from its centre.
+  local jitters = shadow.samples({ center = vec3(0), radius = r.params.radius }, numJitters, "hammersley", 1)
+
+  gl.ClearColor(0.10, 0.11, 0.14, 1)
+  gl.Clear(gl.ACCUM_BUFFER_BIT)
+
+  for i = 1, numJitters do
+    pass("drawing " .. i .. " of " .. numJitters, function()
+      local jittered = light + vec4(jitters[i].xyz, 0)
+      gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+      hard_room.draw(r, jittered, r.params.darkness)
+      gl.Accum(gl.ACCUM, 1)
+    end)
+  end
+
+  pass("the average", function()
+    gl.Accum(gl.RETURN, 1)
+  end)
+end
+
+return recipe

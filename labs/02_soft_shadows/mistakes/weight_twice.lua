@@ -1,0 +1,46 @@
+-- hint: The picture is numJitters times too dark: the weight is applied while accumulating and once more by RETURN. RETURN takes 1.
+-- hint.ca: La imatge és numJitters vegades massa fosca: el pes s'aplica en acumular i un altre cop amb RETURN. A RETURN li correspon 1.
+-- hint.es: La imagen es numJitters veces demasiado oscura: el peso se aplica al acumular y otra vez con RETURN. A RETURN le corresponde 1.
+-- hint.fr: L'image est numJitters fois trop sombre : le poids est appliqué en accumulant, puis encore une fois par RETURN. RETURN prend 1.
+
+local hard_room = require "parts.hard_room"
+
+local recipe = {
+  title   = "Lab 02: soft shadows by the accumulation buffer",
+  lecture = "002_b957b372f85420d1: Soft shadows",
+  scene   = "room",
+  params  = {
+    light      = param.point(0.2, 2.1, 0.9),
+    numJitters = param.integer(8, 1, 256),
+    radius     = param.number(0.25, 0, 1),    -- of the lamp, a sphere
+    darkness   = param.number(0.25, 0, 1),
+  },
+}
+
+function recipe.setup(r)
+  hard_room.setup(r)
+end
+
+function recipe.draw(r)
+  local light, numJitters = r.params.light, r.params.numJitters
+  -- numJitters places in the lamp, as offsets from its centre.
+  local jitters = shadow.samples({ center = vec3(0), radius = r.params.radius }, numJitters, "hammersley", 1)
+
+  gl.ClearColor(0.10, 0.11, 0.14, 1)
+  gl.Clear(gl.ACCUM_BUFFER_BIT)
+
+  for i = 1, numJitters do
+    pass("drawing " .. i .. " of " .. numJitters, function()
+      local jittered = light + vec4(jitters[i].xyz, 0)
+      gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+      hard_room.draw(r, jittered, r.params.darkness)
+      gl.Accum(gl.ACCUM, 1 / numJitters)
+    end)
+  end
+
+  pass("the average", function()
+    gl.Accum(gl.RETURN, 1 / numJitters)
+  end)
+end
+
+return recipe
