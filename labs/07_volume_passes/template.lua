@@ -1,0 +1,64 @@
+-- Lab 07. The volumes are made; to count them, and to light the scene by the counts, is yours. Fill in the
+-- places marked TO DO, and leave the names of the passes as they are. README.md has the theory.
+local recipe = {
+  title   = "Lab 07: shadow volumes in six passes",
+  lecture = "000_178f3ee06912f876: Volums d'ombra (1/2, 2/2)",
+  scene   = "table",
+  truth   = "hard",
+  params  = { light = param.point(2, 4, 1), darkness = param.number(0.25, 0, 1) },
+}
+
+function recipe.setup(r)
+  r.phong = shader.load "phong"
+  r.volume = shader.load "volume"
+end
+
+function recipe.draw(r)
+  local scene, camera, light, darkness = r.scene, r.scene.camera, r.params.light, r.params.darkness
+  local view = camera:view()
+  local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
+  local volumes = {}
+  for k, caster in ipairs(scene.casters) do
+    volumes[k] = shadow.volume(caster, nil, light, { caps = false })
+  end
+  local function draw_volumes()
+    for _, volume in ipairs(volumes) do volume:draw_sides(r.volume, { view = view, projection = projection }) end
+  end
+
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+
+  pass("1. the scene in the z-buffer", function()
+    gl.ColorMask(false, false, false, false)
+    scene:draw(r.phong, { view = view, projection = projection, light = light })
+  end)
+
+  pass("2. the volumes' front faces in the stencil", function()
+    -- TO DO: the stencil test, which every fragment passes; no writing to the depth buffer; culling, so
+    -- that front faces alone are drawn; +1 where a face is in front of the scene. Then draw_volumes().
+  end)
+
+  pass("3. their back faces", function()
+    -- TO DO: the same for back faces, -1.
+  end)
+
+  pass("4. the dark part of the scene", function()
+    gl.ColorMask(true, true, true, true)
+    gl.DepthFunc(gl.LEQUAL)
+    -- TO DO: depth is written again, nothing is culled. Draw where the count is not 0, and change no count.
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = darkness })
+  end)
+
+  pass("5. the lit part of the scene", function()
+    -- TO DO: draw where the count is 0.
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = darkness })
+  end)
+
+  pass("6. the initial state again", function()
+    gl.DepthFunc(gl.LESS)
+    gl.Disable(gl.STENCIL_TEST)
+  end)
+end
+
+return recipe
