@@ -19,6 +19,7 @@ only() {
 only 'lua' '(lua|lauxlib|lualib)\.h'
 only 'gl|context' 'GL/'
 only 'context' 'EGL/|GLFW/|GL/(osmesa|glx)|X11/|wayland'
+only 'live' 'imgui'
 
 # src/CMakeLists.txt says on which floors a floor stands; with those that they stand on, these are
 # all that it may include. tests/unit/FLOOR may include what FLOOR may; cli stands on everything.

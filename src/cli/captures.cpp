@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/files.h"
+#include "image/buffer_pictures.h"
 
 namespace shadowlab::cli {
 namespace {
@@ -70,20 +71,6 @@ std::string stem_of(std::size_t index, std::string_view pass) {
   return stem;
 }
 
-std::array<std::uint8_t, 4> stencil_color(std::uint8_t value) {
-  if (value == 0) return {0, 0, 0, 255};
-  // Hues a golden angle apart, so that neighbouring values differ most; lightness in three steps.
-  const double hue = std::fmod(value * 0.61803398875, 1.0) * 6;
-  const double light = 0.65 + 0.175 * (value % 3);
-  std::array<double, 3> rgb{std::abs(hue - 3) - 1, 2 - std::abs(hue - 2), 2 - std::abs(hue - 4)};
-  std::array<std::uint8_t, 4> color{0, 0, 0, 255};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double saturated = std::clamp(rgb[i], 0.0, 1.0);
-    color[i] = static_cast<std::uint8_t>(std::lround(255 * light * (0.15 + 0.85 * saturated)));
-  }
-  return color;
-}
-
 image::Image stencil_picture(const std::vector<std::uint8_t>& stencil, int width, int height) {
   std::array<bool, 256> present{};
   for (const std::uint8_t value : stencil) present[value] = true;
@@ -93,10 +80,10 @@ image::Image stencil_picture(const std::vector<std::uint8_t>& stencil, int width
   image::Image picture(width, height + rows * legend_row, {32, 32, 32, 255});
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      picture.set(
-          x, y,
-          stencil_color(stencil[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                static_cast<std::size_t>(x)]));
+      picture.set(x, y,
+                  image::stencil_color(
+                      stencil[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(x)]));
     }
   }
   int entry = 0;
@@ -104,28 +91,9 @@ image::Image stencil_picture(const std::vector<std::uint8_t>& stencil, int width
     if (!present[static_cast<std::size_t>(value)]) continue;
     const int x = entry % columns * entry_width + 3;
     const int y = height + entry / columns * legend_row + 3;
-    fill(picture, x, y, swatch, swatch, stencil_color(static_cast<std::uint8_t>(value)));
+    fill(picture, x, y, swatch, swatch, image::stencil_color(static_cast<std::uint8_t>(value)));
     write_number(picture, x + swatch + 4, y + 1, value);
     ++entry;
-  }
-  return picture;
-}
-
-image::Image depth_picture(const image::FloatImage& depth) {
-  float nearest = 1, farthest = 0;
-  for (const float value : depth.values) {
-    if (value >= 1) continue;
-    nearest = std::min(nearest, value);
-    farthest = std::max(farthest, value);
-  }
-  const float range = farthest > nearest ? farthest - nearest : 1;
-  image::Image picture(depth.width, depth.height);
-  for (std::size_t i = 0; i < depth.values.size(); ++i) {
-    const float value = depth.values[i];
-    // The nearest is not quite black, so that it differs from a missing picture.
-    const float grey = value >= 1 ? 1.0f : 0.1f + 0.75f * (value - nearest) / range;
-    const auto level = static_cast<std::uint8_t>(std::lround(255 * grey));
-    std::fill_n(picture.rgba.begin() + static_cast<std::ptrdiff_t>(i * 4), 3, level);
   }
   return picture;
 }
@@ -149,7 +117,7 @@ void Captures::capture(std::size_t pass) {
   write_picture(file(".color.png"), color);
   write_array(file(".color.npy"), std::array<std::size_t, 3>{height, width, 4}, color.rgba);
   const auto depth = frame.read_depth();
-  write_picture(file(".depth.png"), depth_picture(depth));
+  write_picture(file(".depth.png"), image::depth_picture(depth));
   write_array(file(".depth.npy"), std::array<std::size_t, 2>{height, width}, depth.values);
   const auto stencil = frame.read_stencil();
   write_picture(file(".stencil.png"), stencil_picture(stencil, frame.width(), frame.height()));

@@ -44,13 +44,7 @@ class Captures {
 /// What the files of a pass are called, counting from 0: "01_the_receiver_marks_the_stencil".
 std::string stem_of(std::size_t index, std::string_view pass);
 
-/// A colour for each stencil value, distinct for neighbours; 0 is black.
-std::array<std::uint8_t, 4> stencil_color(std::uint8_t value);
-
 /// Stencil values as a picture, with a legend of the values present below it.
 image::Image stencil_picture(const std::vector<std::uint8_t>& stencil, int width, int height);
-
-/// Depths as greys over their range; the far plane's 1.0 white.
-image::Image depth_picture(const image::FloatImage& depth);
 
 }  // namespace shadowlab::cli

@@ -27,5 +27,6 @@ void add_diff(CLI::App& app, Answer& answer);
 void add_gallery(CLI::App& app, Answer& answer);
 void add_doctor(CLI::App& app, Answer& answer);
 void add_check(CLI::App& app, Answer& answer);
+void add_live(CLI::App& app, Answer& answer);
 
 }  // namespace shadowlab::cli

@@ -6,6 +6,7 @@
 
 #include "cli/captures.h"
 #include "core/version.h"
+#include "image/buffer_pictures.h"
 
 namespace shadowlab::cli {
 namespace {
@@ -77,7 +78,7 @@ std::string picture(std::string_view file, std::string_view alt, const Gallery& 
 std::string legend_of(const ShownPass& pass) {
   std::string html;
   for (const std::uint8_t value : pass.stencil_values) {
-    const auto color = stencil_color(value);
+    const auto color = image::stencil_color(value);
     html += fmt::format(R"(<span><i style="background:#{:02x}{:02x}{:02x}"></i>{}</span>)",
                         color[0], color[1], color[2], value);
   }

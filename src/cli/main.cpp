@@ -25,7 +25,7 @@ int fail(int code, std::string sentence) {
 int run(CLI::App& app, int argc, char** argv) {
   using namespace shadowlab;
   cli::Answer answer = cli::Answer::yes;
-  for (const auto add : {cli::add_run, cli::add_trace, cli::add_list, cli::add_new,
+  for (const auto add : {cli::add_run, cli::add_live, cli::add_trace, cli::add_list, cli::add_new,
                          cli::add_gallery, cli::add_diff, cli::add_check, cli::add_doctor})
     add(app, answer);
   app.parse(argc, argv);

@@ -12,7 +12,7 @@
 
 namespace shadowlab::cli {
 
-void add_draw_options(CLI::App& command, DrawOptions& options) {
+void add_draw_options(CLI::App& command, DrawOptions& options, Context context) {
   command
       .add_option("recipe", options.recipe,
                   "The recipe: a Lua file, or the name of one of scripts/")
@@ -26,6 +26,7 @@ void add_draw_options(CLI::App& command, DrawOptions& options) {
   command.add_option("--set", options.settings, "Set a parameter, as in --set light=2,4,1")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  if (context == Context::own) return;
   command
       .add_option("--context", options.context, "osmesa, egl or glfw; else the first that works")
       ->type_name("CONTEXT");
@@ -78,6 +79,15 @@ std::filesystem::path find_recipe(const std::string& given) {
   throw InputError(fmt::format("{} {}{}", given, what, did_you_mean(stem, names)));
 }
 
+std::pair<std::string, std::string> parse_setting(const std::string& setting) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos) {
+    throw InputError(
+        fmt::format("--set takes NAME=VALUE, as in --set light=2,4,1; \"{}\" given", setting));
+  }
+  return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
 Session::Session(const DrawOptions& options, recipe::Options recipe_options) {
   const auto [width, height] = parse_size(options.size);
   const auto file = find_recipe(options.recipe);
@@ -91,12 +101,8 @@ Session::Session(const DrawOptions& options, recipe::Options recipe_options) {
   }
   recipe_ = std::make_unique<recipe::Recipe>(*graphics_, file, std::move(recipe_options));
   for (const std::string& setting : options.settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos) {
-      throw InputError(
-          fmt::format("--set takes NAME=VALUE, as in --set light=2,4,1; \"{}\" given", setting));
-    }
-    recipe_->set(setting.substr(0, equals), setting.substr(equals + 1));
+    const auto [name, value] = parse_setting(setting);
+    recipe_->set(name, value);
   }
 }
 

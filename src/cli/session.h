@@ -19,8 +19,14 @@ struct DrawOptions {
   std::string context = "automatic";
 };
 
+/// Whether a command lets the user choose the context, or brings its own.
+enum class Context { chosen, own };
+
 /// RECIPE, --size, --scene, --set, --context.
-void add_draw_options(CLI::App& command, DrawOptions& options);
+void add_draw_options(CLI::App& command, DrawOptions& options, Context context = Context::chosen);
+
+/// "NAME=VALUE" of --set. Throws InputError.
+std::pair<std::string, std::string> parse_setting(const std::string& setting);
 
 /// A context with a recipe in it, its parameters set; print goes to standard output.
 class Session {

@@ -8,6 +8,7 @@
 
 #include "context/driver_silence.h"
 #include "context/native.h"
+#include "context/window.h"
 #include "core/near_names.h"
 
 namespace shadowlab::context {
@@ -162,11 +163,23 @@ void Context::release() const {
   if (current == native_.get()) release_current();
 }
 
+Window* Context::window() const { return native_->window(); }
+
 Context create(Backend backend, Size size) {
   if (backend == Backend::automatic) return create_automatic(size);
   release_current();
   const DriverSilence silence;
   Context context(backend, make_native(backend, size));
+  context.make_current();
+  context.name = context.native_->name();
+  describe(context);
+  return context;
+}
+
+Context create_window(const WindowOptions& options) {
+  release_current();
+  const DriverSilence silence;
+  Context context(Backend::glfw, make_glfw_window(options));
   context.make_current();
   context.name = context.native_->name();
   describe(context);

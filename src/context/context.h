@@ -36,6 +36,8 @@ struct Size {
 };
 
 class Native;
+class Window;
+struct WindowOptions;
 
 /// A GL context: 3.3 or later, in the compatibility profile where the driver has it, else core.
 /// Several may live side by side; at most one is current on a thread, and a context is current on
@@ -65,9 +67,12 @@ struct Context {
   void make_current() const;
   /// Leaves the calling thread without a context, if this is its context.
   void release() const;
+  /// The window of a context that create_window made (window.h); null for any other.
+  Window* window() const;
 
  private:
   friend Context create(Backend, Size);
+  friend Context create_window(const WindowOptions&);
   Context(Backend made_by, std::unique_ptr<Native> native);
 
   std::unique_ptr<Native> native_;

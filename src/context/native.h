@@ -25,6 +25,8 @@ class Native {
   virtual Function function(const char* gl_name) const = 0;
   /// As Context::name. Called while current.
   virtual std::string name() const = 0;
+  /// As Context::window.
+  virtual Window* window() { return nullptr; }
 };
 
 /// Why a backend does not work: "BACKEND: REASON; REMEDY." where there is a remedy.
@@ -38,6 +40,7 @@ class Unavailable : public MachineError {
 std::unique_ptr<Native> make_osmesa(Size size);
 std::unique_ptr<Native> make_egl(Size size);
 std::unique_ptr<Native> make_glfw(Size size);
+std::unique_ptr<Native> make_glfw_window(const WindowOptions& options);
 
 /// A library loaded at run time. It stays loaded: Mesa's threads and exit handlers outlive a
 /// context.

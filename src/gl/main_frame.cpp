@@ -56,16 +56,18 @@ MainFrame::~MainFrame() {
   context_.main_frame = 0;
 }
 
-void MainFrame::read(GLenum format, GLenum type, std::size_t pixel_bytes, std::byte* top) const {
+void MainFrame::read(Box box, GLenum format, GLenum type, std::size_t pixel_bytes,
+                     std::byte* top) const {
   context_.context->make_current();
   std::array<GLint, 2> before{};
   gl_.GetIntegerv.unrecorded(GL_READ_FRAMEBUFFER_BINDING, std::span(before).first(1));
   gl_.GetIntegerv.unrecorded(GL_PACK_ALIGNMENT, std::span(before).last(1));
   gl_.BindFramebuffer.unrecorded(GL_READ_FRAMEBUFFER, reader_);
   gl_.PixelStorei.unrecorded(GL_PACK_ALIGNMENT, 1);
-  const std::size_t row = pixel_bytes * static_cast<std::size_t>(width_);
-  const std::size_t rows = static_cast<std::size_t>(height_);
-  gl_.ReadPixels.unrecorded(0, 0, width_, height_, format, type, std::span(top, row * rows));
+  const std::size_t row = pixel_bytes * static_cast<std::size_t>(box.width);
+  const std::size_t rows = static_cast<std::size_t>(box.height);
+  gl_.ReadPixels.unrecorded(box.x, box.y, box.width, box.height, format, type,
+                            std::span(top, row * rows));
   // GL's first row is the lowest.
   for (std::size_t low = 0, high = rows - 1; low < high; ++low, --high) {
     std::swap_ranges(top + low * row, top + (low + 1) * row, top + high * row);
@@ -76,14 +78,14 @@ void MainFrame::read(GLenum format, GLenum type, std::size_t pixel_bytes, std::b
 
 image::Image MainFrame::read_color() const {
   image::Image image(width_, height_);
-  read(GL_RGBA, GL_UNSIGNED_BYTE, 4, reinterpret_cast<std::byte*>(image.rgba.data()));
+  read(all(), GL_RGBA, GL_UNSIGNED_BYTE, 4, reinterpret_cast<std::byte*>(image.rgba.data()));
   return image;
 }
 
 image::FloatImage MainFrame::read_depth() const {
   image::FloatImage image{width_, height_, {}};
   image.values.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  read(GL_DEPTH_COMPONENT, GL_FLOAT, sizeof(float),
+  read(all(), GL_DEPTH_COMPONENT, GL_FLOAT, sizeof(float),
        reinterpret_cast<std::byte*>(image.values.data()));
   return image;
 }
@@ -91,8 +93,18 @@ image::FloatImage MainFrame::read_depth() const {
 std::vector<std::uint8_t> MainFrame::read_stencil() const {
   std::vector<std::uint8_t> stencil(static_cast<std::size_t>(width_) *
                                     static_cast<std::size_t>(height_));
-  read(GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1, reinterpret_cast<std::byte*>(stencil.data()));
+  read(all(), GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1, reinterpret_cast<std::byte*>(stencil.data()));
   return stencil;
+}
+
+MainFrame::Pixel MainFrame::read_pixel(int x, int y) const {
+  Pixel pixel;
+  const Box box{x, height_ - 1 - y, 1, 1};
+  read(box, GL_RGBA, GL_UNSIGNED_BYTE, 4, reinterpret_cast<std::byte*>(pixel.rgba.data()));
+  read(box, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof(float),
+       reinterpret_cast<std::byte*>(&pixel.depth));
+  read(box, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1, reinterpret_cast<std::byte*>(&pixel.stencil));
+  return pixel;
 }
 
 }  // namespace shadowlab::gl

@@ -4,6 +4,9 @@
 // gives the same pixels, every buffer can be looked at, and a window only shows it.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "gl/functions.h"
 #include "image/image.h"
 
@@ -27,10 +30,22 @@ class MainFrame {
   image::Image read_color() const;
   image::FloatImage read_depth() const;  ///< window depth, 0 to 1
   std::vector<std::uint8_t> read_stencil() const;
+  struct Pixel {
+    std::array<std::uint8_t, 4> rgba{};
+    float depth = 0;  ///< window depth
+    std::uint8_t stencil = 0;
+    bool operator==(const Pixel&) const = default;
+  };
+  /// The pixel x from the left and y from the top, which is inside.
+  Pixel read_pixel(int x, int y) const;
 
  private:
-  void read(GLenum format, GLenum type, std::size_t pixel_bytes,
+  struct Box {
+    int x, y, width, height;  ///< from the lower left, as GL has them
+  };
+  void read(Box box, GLenum format, GLenum type, std::size_t pixel_bytes,
             std::byte* rows_from_the_top) const;
+  Box all() const { return {0, 0, width_, height_}; }
 
   const Functions& gl_;
   CallContext& context_;

@@ -102,6 +102,9 @@ void push_value(lua_State* L, const Parameter& parameter);
 /// InputError that says what the parameter takes.
 void set_value(Parameter& parameter, const std::string& name, const std::string& text);
 
+/// The value as set_value takes it, without loss: "2,4,1", "0.5", "true", a choice's name.
+std::string text_of(const Parameter& parameter);
+
 /// A light at `index`: a vec4, a table of 4 numbers, or an area light { center = , u = , v = }
 /// (rectangle), { center = , u = , v = , disk = true } or { center = , radius = } (sphere).
 scene::Light read_light(lua_State* L, int index, const char* what);

@@ -191,6 +191,13 @@ void set_value(Parameter& parameter, const std::string& name, const std::string&
   }
 }
 
+std::string text_of(const Parameter& parameter) {
+  if (parameter.kind == Parameter::Kind::toggle) return parameter.value[0] != 0 ? "true" : "false";
+  if (parameter.kind == Parameter::Kind::choice)
+    return parameter.choices[static_cast<std::size_t>(parameter.value[0])];
+  return fmt::format("{}", fmt::join(parameter.value, ","));
+}
+
 std::span<const Entry> param_functions() { return functions; }
 
 void open_param(Stage& stage) {

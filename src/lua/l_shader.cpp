@@ -65,6 +65,7 @@ gl::StageSource stage_file(const Stage& stage, const std::string& name) {
 bool exists(const Stage& stage, const std::string& name) {
   for (const auto& folder : stage.folders) {
     std::error_code error;
+    stage.state.note_file(folder / name);
     if (std::filesystem::is_regular_file(folder / name, error)) return true;
   }
   return false;

@@ -48,6 +48,7 @@ fs::path find_module(const State& state, const std::string& name) {
   std::string looked;
   for (const fs::path& folder : state.search_folders()) {
     fs::path file = folder / relative;
+    state.note_file(file);
     std::error_code failure;
     if (fs::is_regular_file(file, failure)) {
       if (is_inside(file, folder)) return file;

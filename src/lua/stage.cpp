@@ -58,6 +58,7 @@ std::filesystem::path find_file(const Stage& stage, const std::string& name) {
   for (const auto& folder : stage.folders) {
     std::error_code error;
     auto file = folder / path;
+    stage.state.note_file(file);
     if (!std::filesystem::is_regular_file(file, error)) continue;
     if (!inside(file, folder)) {
       throw InputError(fmt::format("\"{}\" leads out of the recipe's folder", name));

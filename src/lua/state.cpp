@@ -112,6 +112,7 @@ State::State(const Limits& limits, PrintSink print)
 State::~State() { lua_close(lua_); }
 
 std::optional<std::string> State::try_load_file(lua_State* L, const std::filesystem::path& path) {
+  note_file(path);
   std::string text;
   if (auto problem = read_text(path, limits_.source, text)) return problem;
   return try_load_text(L, text, path.string());

@@ -82,6 +82,14 @@ class State {
   /// The folders in which `require "a.b"` looks for a/b.lua, first to last.
   void search_in(std::vector<std::filesystem::path> folders) { folders_ = std::move(folders); }
   const std::vector<std::filesystem::path>& search_folders() const { return folders_; }
+  /// Told of each file that the script is made of, before it is read, and of each that would be in
+  /// its place if it were there: when one of them changes, the script may.
+  void on_file(std::function<void(const std::filesystem::path&)> listener) {
+    file_listener_ = std::move(listener);
+  }
+  void note_file(const std::filesystem::path& file) const {
+    if (file_listener_) file_listener_(file);
+  }
   /// How many calls of coroutine.close are inside each other.
   int& closing() { return closing_; }
   /// The modules whose code is running because of `require`, outermost first.
@@ -113,6 +121,7 @@ class State {
   Heap heap_;
   std::mt19937_64 random_;
   std::vector<std::filesystem::path> folders_;
+  std::function<void(const std::filesystem::path&)> file_listener_;
   std::vector<std::string> under_way_;
   std::vector<std::string> chunk_names_;
   std::string failed_at_;     // "FILE:LINE: " of the error on its way out

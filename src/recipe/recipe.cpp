@@ -29,13 +29,6 @@ double now() {
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
-std::string text_field(lua_State* L, int table, const char* name) {
-  lua_getfield(L, table, name);
-  std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-  lua_pop(L, 1);
-  return text;
-}
-
 // Where files are looked for: beside the recipe, then shadowlab's own.
 std::vector<std::filesystem::path> folders(const std::filesystem::path& recipe_folder,
                                            Options::Shading shading) {
@@ -61,6 +54,7 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
       stage_{state_, graphics, this, {}, folders(folder_of(file), options.shading)} {
   stage_.explaining = options.explain;
   graphics_.begin_frame();
+  state_.on_file(options.on_file);
   state_.search_in({folder_of(file), home() / "scripts"});
   try {
     inside_lua([&](lua_State* L) {
@@ -88,56 +82,6 @@ void Recipe::inside_lua(const std::function<void(lua_State*)>& body) {
   lua_pushcfunction(L, lua::guarded<run_body>);
   lua_pushlightuserdata(L, const_cast<std::function<void(lua_State*)>*>(&body));
   state_.call(1, 0);
-}
-
-void Recipe::read_table() {
-  lua_State* L = state_.raw();
-  if (lua_type(L, -1) != LUA_TTABLE) {
-    throw InputError(
-        fmt::format("{}: a recipe returns a table with a function draw; this file returns {}",
-                    file_.string(), lua::describe(L, -1)));
-  }
-  const int table = lua_gettop(L);
-  lua_getfield(L, table, "draw");
-  if (!lua_isfunction(L, -1)) {
-    throw InputError(
-        fmt::format("{}: the recipe has no function draw; write function recipe.draw(r) … end",
-                    file_.string()));
-  }
-  lua_pop(L, 1);
-  description_ = {text_field(L, table, "title"), text_field(L, table, "lecture"),
-                  text_field(L, table, "scene"), text_field(L, table, "truth")};
-  if (description_.title.empty()) description_.title = file_.stem().string();
-  read_parameters(table);
-  table_ = luaL_ref(L, LUA_REGISTRYINDEX);
-  lua_newtable(L);
-  context_ = luaL_ref(L, LUA_REGISTRYINDEX);
-}
-
-void Recipe::read_parameters(int table) {
-  lua_State* L = state_.raw();
-  lua_getfield(L, table, "params");
-  if (lua_type(L, -1) == LUA_TTABLE) {
-    lua_pushnil(L);
-    while (lua_next(L, -2)) {
-      const std::string name =
-          lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : lua::describe(L, -2);
-      const auto* parameter = lua::test_box<lua::Parameter>(L, -1);
-      if (!parameter) {
-        throw InputError(fmt::format(
-            "{}: params.{} must be made by param.point, param.number and their like; it is {}",
-            file_.string(), name, lua::describe(L, -1)));
-      }
-      parameters_.push_back({name, *parameter});
-      lua_pop(L, 1);
-    }
-  } else if (!lua_isnil(L, -1)) {
-    throw InputError(
-        fmt::format("{}: params must be a table; it is {}", file_.string(), lua::describe(L, -1)));
-  }
-  lua_pop(L, 1);
-  std::sort(parameters_.begin(), parameters_.end(),
-            [](const auto& a, const auto& b) { return a.name < b.name; });
 }
 
 void Recipe::load_scene(const std::optional<std::string>& override_name) {

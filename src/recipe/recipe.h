@@ -19,6 +19,7 @@
 #include "lua/boxes.h"
 #include "lua/stage.h"
 #include "lua/state.h"
+#include "recipe/keys.h"
 
 namespace shadowlab::recipe {
 
@@ -51,6 +52,8 @@ struct Options {
   std::optional<std::string> scene;  ///< in place of the recipe's own
   bool time_passes = false;          ///< glFinish around each pass
   bool explain = false;              ///< collect explanations()
+  /// Told of the files that the recipe is made of: see State::on_file.
+  std::function<void(const std::filesystem::path&)> on_file;
   /// Whose shadows each frame is drawn with: all that cast, or those alone that shadow::plan keeps.
   /// To the recipe the others are receivers. Recipes of shadow volumes draw the same picture;
   /// shadow maps are fitted to fewer casters.
@@ -70,6 +73,8 @@ class Recipe : private lua::PassListener {
 
   const Description& description() const { return description_; }
   const std::vector<NamedParameter>& parameters() const { return parameters_; }
+  /// What keys do, in the order of the keys.
+  const std::vector<KeyAction>& keys() const { return keys_; }
   const scene::Scene* scene() const { return scene_.get(); }
   lua::State& state() { return state_; }
 
@@ -84,6 +89,9 @@ class Recipe : private lua::PassListener {
   void set_camera(const scene::Camera& camera);
   /// Moves the scene's object of that name. Throws InputError where there is none.
   void set_model(std::string_view object, const glm::dmat4& model);
+
+  /// Whether its setup ran.
+  bool is_set_up() const { return set_up_; }
 
   /// Whether the technique claims to be right for this camera and light: what the recipe's function
   /// `holds` says; true without one.
@@ -109,6 +117,7 @@ class Recipe : private lua::PassListener {
   void end_pass() override;
   void read_table();
   void read_parameters(int table);
+  void read_keys(int table);
   void load_scene(const std::optional<std::string>& override_name);
   void set_up();
   void push_context(double time);
@@ -123,6 +132,7 @@ class Recipe : private lua::PassListener {
   lua::Stage stage_;
   Description description_;
   std::vector<NamedParameter> parameters_;
+  std::vector<KeyAction> keys_;
   lua::SceneBox scene_;
   std::vector<PassTime>
       passes_;  ///< the first pass_count_ are this frame's: names keep their storage

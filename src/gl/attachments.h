@@ -1,0 +1,25 @@
+// What is in a framebuffer's attachments, for somebody who looks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gl/functions.h"
+#include "image/image.h"
+
+namespace shadowlab::gl {
+
+/// The contents of one attachment as numbers: rows from the top, `channels` floats a pixel.
+struct AttachmentContents {
+  std::string name;  ///< "GL_COLOR_ATTACHMENT0", "GL_DEPTH_ATTACHMENT", "GL_STENCIL_ATTACHMENT"
+  GLuint framebuffer = 0;
+  int width = 0, height = 0;
+  int channels = 1;  ///< 4 of a colour, 1 of depth and stencil
+  std::vector<float> values;
+};
+
+/// All attachments of `framebuffer` that can be read: complete ones with one sample a pixel, and of
+/// layers and cube maps the face that is attached. Reads alone, and puts back every binding.
+std::vector<AttachmentContents> read_attachments(const Functions& gl, GLuint framebuffer);
+
+}  // namespace shadowlab::gl

@@ -1,0 +1,64 @@
+// Dear ImGui over our own window and our own GL: events in, triangles out.
+//
+// ImGui's stock backends link to a window system and to a GL of their own; here the first is
+// context/'s and the second goes through gl/'s table, so the interface draws in any context, also
+// where tests look at it without a window.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <vector>
+
+#include "context/window.h"
+#include "gl/screen.h"
+
+namespace shadowlab::live {
+
+/// How panels look: on a desk, or on a projector across a room.
+enum class Style { desk, projector };
+
+class Interface {
+ public:
+  explicit Interface(gl::Graphics& graphics);
+  ~Interface();
+  Interface(const Interface&) = delete;
+  Interface& operator=(const Interface&) = delete;
+
+  /// Type and spacing for a screen of that density. Not between `begin` and `end`.
+  void set_style(Style style, double scale);
+
+  void take(const context::Event& event);
+  void begin(context::Size size, double seconds);
+  /// Draws what the panels said since `begin`.
+  void end(gl::Screen& screen);
+
+  /// Whether a text field has the keyboard.
+  bool types() const { return ImGui::GetIO().WantTextInput; }
+  /// Type in a fixed width, for code and numbers.
+  ImFont* code() const { return code_; }
+  /// One and a half times as large.
+  ImFont* large() const { return large_; }
+
+ private:
+  void upload_fonts();
+
+  gl::Graphics& graphics_;
+  ImGuiContext* imgui_;
+  gl::ShownPicture fonts_;
+  ImFont* code_ = nullptr;
+  ImFont* large_ = nullptr;
+  std::optional<Style> style_;
+  double scale_ = 0;
+  std::vector<gl::ScreenBatch> batches_;
+  // ImGui looks at keys and buttons once a frame: what went down and up between two looks is held
+  // until it has seen it.
+  std::vector<int> keys_down_, keys_up_;
+  std::vector<int> buttons_down_, buttons_up_;
+};
+
+/// What ImGui::Image takes. A recipe's picture ignores its alpha, as a window does.
+ImTextureID texture_id(const gl::ShownPicture& picture,
+                       gl::ScreenBatch::Alpha alpha = gl::ScreenBatch::Alpha::ignored);
+
+}  // namespace shadowlab::live

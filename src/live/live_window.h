@@ -1,0 +1,16 @@
+// The window of a live session: its loop, its keys, what is where in it.
+#pragma once
+
+#include "live/studio.h"
+
+namespace shadowlab::live {
+
+struct LiveOptions {
+  StudioOptions studio;
+  int width = 512, height = 512;  ///< of the recipes' pictures
+};
+
+/// Opens the window and stays until it is closed. Throws MachineError where there is no display.
+void show(const LiveOptions& options);
+
+}  // namespace shadowlab::live

@@ -1,0 +1,139 @@
+#include "live/workshop.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+#include "core/error.h"
+
+namespace shadowlab::live {
+namespace {
+
+std::string sentence_of(const std::exception& problem) {
+  if (dynamic_cast<const std::bad_alloc*>(&problem))
+    return "this machine has no memory left for that";
+  return problem.what();
+}
+
+// The value that still fits: numbers are brought into their range.
+std::string fitted(const lua::Parameter& parameter, const std::string& value) {
+  if (parameter.kind != lua::Parameter::Kind::number &&
+      parameter.kind != lua::Parameter::Kind::integer)
+    return value;
+  lua::Parameter clamped = parameter;
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  if (end != value.c_str() + value.size()) return value;
+  clamped.value = {std::clamp(number, parameter.least, parameter.most)};
+  return lua::text_of(clamped);
+}
+
+}  // namespace
+
+Workshop::Workshop(gl::Graphics& graphics, std::filesystem::path file, recipe::Options options)
+    : graphics_(graphics), file_(std::move(file)), options_(std::move(options)) {
+  options_.on_file = [this](const std::filesystem::path& asked) {
+    files_.insert(asked);
+    watcher_.watch(asked);
+  };
+  watcher_.watch(file_);
+}
+
+bool Workshop::look() {
+  if (watcher_.changed()) wanted_ = true;
+  return wanted_;
+}
+
+void Workshop::fail(std::string_view error, Failure::Stage stage) {
+  failure_ = failure_of(error, stage);
+  frame_broken_ = true;
+}
+
+void Workshop::carry_over(recipe::Recipe& recipe) const {
+  for (const auto& [name, value] : settings_) {
+    for (const auto& known : recipe.parameters()) {
+      if (known.name != name) continue;
+      try {
+        recipe.set(name, fitted(known.parameter, value));
+      } catch (const InputError&) {
+        // The parameter is of another kind now: its own value stands, ours waits.
+      }
+    }
+  }
+  for (const auto& [object, model] : models_) {
+    try {
+      recipe.set_model(object, model);
+    } catch (const InputError&) {
+      // The object is gone from the scene.
+    }
+  }
+}
+
+Workshop::Drawn Workshop::draw_candidate(const Moment& moment) {
+  wanted_ = false;
+  auto stage = Failure::Stage::loading;
+  std::unique_ptr<recipe::Recipe> candidate;
+  const auto files_before = std::exchange(files_, {file_});
+  try {
+    candidate = std::make_unique<recipe::Recipe>(graphics_, file_, options_);
+    carry_over(*candidate);
+    if (moment.camera) candidate->set_camera(*moment.camera);
+    if (listener_) listener_(*candidate);
+    stage = Failure::Stage::frame;
+    candidate->draw(moment.time);
+  } catch (const std::exception& problem) {
+    if (candidate && !candidate->is_set_up()) stage = Failure::Stage::setup;
+    fail(sentence_of(problem), stage);
+    files_.insert(files_before.begin(), files_before.end());
+    return Drawn::nothing;
+  }
+  watcher_.keep(files_);
+  good_ = std::move(candidate);
+  failure_.reset();
+  failed_here_ = false;
+  frame_broken_ = false;
+  ++versions_;
+  return Drawn::picture;
+}
+
+Workshop::Drawn Workshop::draw(const Moment& moment) {
+  if (wanted_) {
+    if (draw_candidate(moment) == Drawn::picture) return Drawn::picture;
+    failed_here_ = false;
+  }
+  if (!good_ || failed_here_) return Drawn::nothing;
+  try {
+    if (std::exchange(frame_broken_, false)) {
+      graphics_.begin_frame();
+      graphics_.clear_buffers();
+    }
+    if (moment.camera) good_->set_camera(*moment.camera);
+    good_->draw(moment.time);
+    return Drawn::picture;
+  } catch (const std::exception& problem) {
+    fail(sentence_of(problem), Failure::Stage::frame);
+    failed_here_ = true;
+    return Drawn::nothing;
+  }
+}
+
+void Workshop::set(const std::string& name, const std::string& value) {
+  if (good_) good_->set(name, value);
+  settings_[name] = value;
+  retry();
+}
+
+void Workshop::reset_parameters() {
+  settings_.clear();
+  models_.clear();
+  reload();
+}
+
+void Workshop::move(const std::string& object, const glm::dmat4& model) {
+  if (good_) good_->set_model(object, model);
+  models_[object] = model;
+  retry();
+}
+
+}  // namespace shadowlab::live
