@@ -7,7 +7,7 @@ local recipe = {
   title   = "Lab 05: a projected shadow without z-fighting",
   lecture = "000_178f3ee06912f876: Ombres per projecció (un pla), z-fighting",
   scene   = "corner",
-  params  = { light = param.point(1.6, 2.9, 3.2), darkness = param.number(0.25, 0, 1) },
+  params  = { light = param.point(1.4, 1.1, 4.8), darkness = param.number(0.25, 0, 1) },
 }
 
 function recipe.setup(r)

@@ -1,0 +1,62 @@
+-- hint: The far plane cuts the volumes off, and with them the faces that z-fail has to count. Project with shadow.infinite_perspective, which has no far plane.
+-- hint.ca: El pla de retallat posterior talla els volums, i amb ells les cares que z-fail ha de comptar. Projecta amb shadow.infinite_perspective, que no té pla posterior.
+-- hint.es: El plano de recorte trasero corta los volúmenes, y con ellos las caras que z-fail tiene que contar. Proyecta con shadow.infinite_perspective, que no tiene plano trasero.
+-- hint.fr: Le plan éloigné coupe les volumes, et avec eux les faces que z-fail doit compter. Projette avec shadow.infinite_perspective, qui n'a pas de plan éloigné.
+
+local recipe = {
+  title   = "Lab 09: Carmack's reverse",
+  lecture = "004_502e9deeb91da7bb: Carmack's reverse",
+  scene   = "city",
+  truth   = "hard",
+  params  = { light = param.direction(-0.5, 0.55, -0.85), darkness = param.number(0.25, 0, 1) },
+}
+
+function recipe.setup(r)
+  r.phong = shader.load "phong"
+  r.volume = shader.load "volume"
+end
+
+function recipe.draw(r)
+  local scene, camera, light, darkness = r.scene, r.scene.camera, r.params.light, r.params.darkness
+  local view = camera:view()
+  local projection = camera:projection(r.width / r.height)
+  local volumes = {}
+  for k, caster in ipairs(scene.casters) do
+    volumes[k] = shadow.volume(caster, nil, light, { caps = true })
+  end
+
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+
+  pass("1. the scene in the z-buffer", function()
+    gl.ColorMask(false, false, false, false)
+    scene:draw(r.phong, { view = view, projection = projection, light = light })
+  end)
+
+  pass("2. the volumes behind the scene: back faces +1, front faces -1", function()
+    gl.Enable(gl.STENCIL_TEST)
+    gl.DepthMask(false)
+    gl.StencilFunc(gl.ALWAYS, 0, 0xFF)
+    gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
+    gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
+    for _, volume in ipairs(volumes) do volume:draw(r.volume, { view = view, projection = projection }) end
+  end)
+
+  gl.DepthMask(true)
+  gl.ColorMask(true, true, true, true)
+  gl.DepthFunc(gl.LEQUAL)
+  gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+
+  pass("3. the dark part of the scene", function()
+    gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = darkness })
+  end)
+
+  pass("4. the lit part of the scene", function()
+    gl.StencilFunc(gl.EQUAL, 0, 0xFF)
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = darkness })
+  end)
+end
+
+return recipe

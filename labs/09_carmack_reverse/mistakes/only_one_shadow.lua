@@ -1,0 +1,62 @@
+-- hint: Where shadows of several houses meet nothing is drawn: the count is 2 or more there, neither EQUAL 1 nor EQUAL 0. Dark is what is NOTEQUAL 0.
+-- hint.ca: On es troben les ombres de diverses cases no es dibuixa res: allà el compte és 2 o més, ni EQUAL 1 ni EQUAL 0. Fosc és el que és NOTEQUAL 0.
+-- hint.es: Donde se encuentran las sombras de varias casas no se dibuja nada: allí la cuenta es 2 o más, ni EQUAL 1 ni EQUAL 0. Oscuro es lo que es NOTEQUAL 0.
+-- hint.fr: Là où les ombres de plusieurs maisons se rencontrent rien n'est dessiné : le compte y vaut 2 ou plus, ni EQUAL 1 ni EQUAL 0. Sombre est ce qui est NOTEQUAL 0.
+
+local recipe = {
+  title   = "Lab 09: Carmack's reverse",
+  lecture = "004_502e9deeb91da7bb: Carmack's reverse",
+  scene   = "city",
+  truth   = "hard",
+  params  = { light = param.direction(-0.5, 0.55, -0.85), darkness = param.number(0.25, 0, 1) },
+}
+
+function recipe.setup(r)
+  r.phong = shader.load "phong"
+  r.volume = shader.load "volume"
+end
+
+function recipe.draw(r)
+  local scene, camera, light, darkness = r.scene, r.scene.camera, r.params.light, r.params.darkness
+  local view = camera:view()
+  local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
+  local volumes = {}
+  for k, caster in ipairs(scene.casters) do
+    volumes[k] = shadow.volume(caster, nil, light, { caps = true })
+  end
+
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+
+  pass("1. the scene in the z-buffer", function()
+    gl.ColorMask(false, false, false, false)
+    scene:draw(r.phong, { view = view, projection = projection, light = light })
+  end)
+
+  pass("2. the volumes behind the scene: back faces +1, front faces -1", function()
+    gl.Enable(gl.STENCIL_TEST)
+    gl.DepthMask(false)
+    gl.StencilFunc(gl.ALWAYS, 0, 0xFF)
+    gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
+    gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
+    for _, volume in ipairs(volumes) do volume:draw(r.volume, { view = view, projection = projection }) end
+  end)
+
+  gl.DepthMask(true)
+  gl.ColorMask(true, true, true, true)
+  gl.DepthFunc(gl.LEQUAL)
+  gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+
+  pass("3. the dark part of the scene", function()
+    gl.StencilFunc(gl.EQUAL, 1, 0xFF)
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = darkness })
+  end)
+
+  pass("4. the lit part of the scene", function()
+    gl.StencilFunc(gl.EQUAL, 0, 0xFF)
+    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = darkness })
+  end)
+end
+
+return recipe
