@@ -2477,7 +2477,7 @@ shader = {}
 ---@return shader
 function shader.load(name) end
 
----The program of these texts. Errors name the stage and the line within its text.
+---The program of these texts, which may #include files too. Errors name the stage and the line within its text.
 ---
 ---`shader.compile{vertex = text, fragment = text, geometry = text} -> shader`
 ---@return shader

@@ -39,8 +39,7 @@ NamedText read_stage(const Stage& stage, const std::string& name) {
 
 // A stage with its #includes put in, which GLSL itself has not; #line keeps the numbers of lines,
 // and source strings from 1 on are the included files. They include nothing themselves.
-gl::StageSource stage_file(const Stage& stage, const std::string& name) {
-  const NamedText own = read_stage(stage, name);
+gl::StageSource with_includes(const Stage& stage, const NamedText& own) {
   gl::StageSource source{own.name, {}, {}};
   int number = 0;
   for (std::string_view rest = own.text; !rest.empty();) {
@@ -78,9 +77,11 @@ int load(lua_State* L) {
                      describe(L, 1));
   }
   const std::string name = lua_tostring(L, 1);
-  gl::ProgramSource source{
-      stage_file(stage, name + ".vert"), stage_file(stage, name + ".frag"), {}};
-  if (exists(stage, name + ".geom")) source.geometry = stage_file(stage, name + ".geom");
+  const auto stage_file = [&](const char* ending) {
+    return with_includes(stage, read_stage(stage, name + ending));
+  };
+  gl::ProgramSource source{stage_file(".vert"), stage_file(".frag"), {}};
+  if (exists(stage, name + ".geom")) source.geometry = stage_file(".geom");
   push_box<ShaderBox>(L, stage.graphics.make_shader(source));
   return 1;
 }
@@ -92,7 +93,8 @@ std::optional<gl::StageSource> stage_text(lua_State* L, const char* key) {
     std::size_t length = 0;
     const char* text = lua_tolstring(L, -1, &length);
     if (length > most_source) throw InputError("a shader's text is at most 1 MiB");
-    source = gl::StageSource{fmt::format("{} shader", key), std::string(text, length)};
+    source =
+        with_includes(Stage::of(L), {fmt::format("{} shader", key), std::string(text, length)});
   } else if (!lua_isnil(L, -1)) {
     throw InputError(
         fmt::format("shader.compile: {} must be a text; it is {}", key, describe(L, -1)));
@@ -146,7 +148,8 @@ constexpr Entry functions[] = {
      "else shadowlab's own. A line #include \"file\" stands for that file's text.",
      guarded<load>},
     {"compile", "shader.compile{vertex = text, fragment = text, geometry = text} -> shader",
-     "The program of these texts. Errors name the stage and the line within its text.",
+     "The program of these texts, which may #include files too. Errors name the stage and the line "
+     "within its text.",
      guarded<compile>},
 };
 constexpr Entry methods[] = {

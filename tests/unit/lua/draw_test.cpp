@@ -47,6 +47,9 @@ TEST_F(Shaders, include_files_and_name_the_file_and_line_that_is_wrong) {
   const std::string own = "#version 330 core\n#include \"part.glsl\"\nvoid main() { f = vec4(";
   write("a.frag", own + "half_of); }\n");
   run("shader.load('a'):set('half_of', 0.25)");
+  run("shader.compile { vertex = '#version 330 core\\nvoid main() { gl_Position = vec4(0.0); }', "
+      "fragment = [[" +
+      own + "half_of); }]] }:set('half_of', 0.25)");
   write("a.frag", own + "half_off); }");
   EXPECT_NE(error("shader.load 'a'").find("a.frag:3: "), std::string::npos);
   write("a.frag", own + "half_of); }\n");
