@@ -70,7 +70,7 @@ function recipe.draw(r)
 
   gl.Enable(gl.DEPTH_TEST)
   local light_view = mat4.look_at(center + light.xyz:normalize() * 4, center, vec3(0, 1, 0))
-  local light_projection = mat4.ortho(-1.3, 1.3, -1.3, 1.3, 4, 9)
+  local light_projection = mat4.ortho(-1.3, 1.3, -1.3, 1.3, 4.5, 9)
 
   pass("1. depth, from the sun", function()
     local bias = shadow.map_bias(light_projection, size)

@@ -1,0 +1,78 @@
+-- hint: The edge is still hard: the depths are averaged, and then compared once. Average the results of comparing; a mean of depths belongs to no surface at all.
+-- hint.ca: La vora encara és dura: es fa la mitjana de les profunditats i després una sola comparació. Fes la mitjana dels resultats de comparar; una mitjana de profunditats no és de cap superfície.
+-- hint.es: El borde sigue siendo duro: se hace la media de las profundidades y después una sola comparación. Haz la media de los resultados de comparar; una media de profundidades no es de ninguna superficie.
+-- hint.fr: Le bord est encore dur : on fait la moyenne des profondeurs, puis une seule comparaison. Fais la moyenne des résultats des comparaisons ; une moyenne de profondeurs n'appartient à aucune surface.
+
+local draw_lit = require "parts.draw_lit"
+local map_pass = require "parts.map_pass"
+
+local recipe = {
+  title   = "Lab 12: percentage-closer filtering",
+  lecture = "003_dcbdf1292070997a: Percentage-Closer Filtering (PCF)",
+  scene   = "table",
+  params  = {
+    light    = param.point(2, 4, 1),
+    reach    = param.integer(2, 0, 8),          -- the filter takes this many texels to each side
+    size     = param.integer(64, 16, 4096),     -- of the map
+    darkness = param.number(0.25, 0, 1),
+  },
+}
+
+local vertex = [[
+#version 330 core
+#include "shadow_coordinate.glsl"
+]]
+
+local fragment = [[
+#version 330 core
+#include "lighting.glsl"
+in vec4 shadow_coord;
+uniform sampler2D shadow_map;
+uniform float texel;        // a texel's side in texture coordinates
+uniform int reach;
+
+void main() {
+  vec3 stp = shadow_coord.stp / shadow_coord.q;
+  float seen = 0.0;
+  for (int y = -reach; y <= reach; ++y)
+    for (int x = -reach; x <= reach; ++x)
+      seen += texture(shadow_map, stp.st + vec2(x, y) * texel).r;
+  float side = float(2 * reach + 1);
+  seen = stp.p <= seen / (side * side) ? 1.0 : 0.0;
+  fragment = reflected(seen);
+}
+]]
+
+function recipe.setup(r)
+  r.flat = shader.load "flat"
+  r.mapped = shader.compile{ vertex = vertex, fragment = fragment }
+  r.fbo, r.map = map_pass.make(r.params.size)
+  gl.BindTexture(gl.TEXTURE_2D, r.map)
+  gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR)
+  gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR)
+end
+
+function recipe.draw(r)
+  local scene, camera, light, size, reach = r.scene, r.scene.camera, r.params.light, r.params.size, r.params.reach
+  local view, projection = camera:view(), camera:projection(r.width / r.height)
+  local light_view, light_projection = shadow.light_view(light, scene, { fit = "scene" })
+
+  -- A filter compares with texels farther off, and on a slanted surface their depths differ by more.
+  pass("1. the map", function()
+    map_pass.draw(r, r.fbo, size, scene.caster, r.flat, light_view, light_projection,
+                  shadow.map_bias(light_projection, size, 2 * reach + 2))
+  end)
+
+  pass("2. the scene, filtered", function()
+    gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    draw_lit(scene, r.mapped, {
+      view = view, projection = projection, light = light, ambient = r.params.darkness,
+      light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
+      shadow_map = 0, texel = 1 / size, reach = reach,
+    })
+  end)
+end
+
+return recipe
