@@ -15,7 +15,7 @@ return {
   size   = { 256, 256 },
   scene  = "city",
   cases  = {
-    { name = "the eye in a house's shadow", points = 2, compare = { color = true } },
+    { name = "the eye in a house's shadow", points = 2, set = { light = { -0.5, 0.55, -0.85 } }, compare = { color = true } },
     { name = "on the other side of the street", points = 3, set = { light = low_sun() }, camera = on_the_pavement(0, "down-sun"),
       compare = { color = true } },
     { name = "farther down the street", points = 3, hidden = true, camera = on_the_pavement(random.integer(1, 3)),

@@ -5,8 +5,7 @@ return {
   title  = "A shadow map of the sun",
   points = 10,
   size   = { 256, 256 },
-  scene  = "table",
-  cases  = {
+  cases  = {   -- of the recipe's own scene: another one would bring its own light, a lamp
     { name = "the sun of the lesson", points = 2, compare = { color = true } },
     { name = "another sun", points = 3, set = { light = sun() }, compare = { color = true } },
     { name = "seen from anywhere", points = 3, hidden = true, camera = random.camera(table_top),
