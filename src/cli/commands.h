@@ -28,5 +28,6 @@ void add_gallery(CLI::App& app, Answer& answer);
 void add_doctor(CLI::App& app, Answer& answer);
 void add_check(CLI::App& app, Answer& answer);
 void add_live(CLI::App& app, Answer& answer);
+void add_worker(CLI::App& app, Answer& answer);
 
 }  // namespace shadowlab::cli

@@ -13,6 +13,7 @@
 #include "context/context.h"
 #include "core/error.h"
 #include "core/version.h"
+#include "lab/worker.h"
 
 namespace shadowlab::cli {
 namespace {
@@ -107,6 +108,22 @@ std::string state_of_scripts() {
   }
 }
 
+// What a submission would be held by, if one were graded here and now.
+std::string state_of_isolation() {
+  try {
+    const lab::Worker worker;
+    const std::string lacking = lab::names_of(worker.layers(), false);
+    std::string state = lab::names_of(worker.layers());
+    if (state.empty()) state = "none: grade nobody's recipes here but your own";
+    if (!lacking.empty()) state += "; lacking: " + lacking;
+    if (!worker.layers().namespaces)
+      state += " (bubblewrap gives namespaces, where the container that this may be allows them)";
+    return state;
+  } catch (const MachineError& problem) {
+    return problem.what();
+  }
+}
+
 void doctor() {
   const auto reports = context::survey();
   fmt::print("shadowlab {}\n\n", version());
@@ -117,6 +134,7 @@ void doctor() {
   fmt::print("scripts       {}\n", state_of_scripts());
   fmt::print("shader cache  {}\n", state_of_cache());
   fmt::print("threads       {}\n", state_of_threads());
+  fmt::print("isolation     {}\n", state_of_isolation());
   const auto works = [](const context::Report& report) { return report.works; };
   if (std::none_of(reports.begin(), reports.end(), works)) {
     throw MachineError(

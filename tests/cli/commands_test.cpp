@@ -206,7 +206,8 @@ TEST_F(Cli, gallery_shows_every_recipe_and_survives_a_failing_one) {
 TEST_F(Cli, doctor_lists_each_context_and_what_else_matters) {
   const Ended ended = run("doctor", "env -u DISPLAY -u WAYLAND_DISPLAY");
   EXPECT_EQ(ended.code, 0) << ended.err;
-  for (const char* name : {"OSMesa", "EGL", "GLFW", "shader cache", "threads", "scripts"})
+  for (const char* name :
+       {"OSMesa", "EGL", "GLFW", "shader cache", "threads", "scripts", "isolation"})
     EXPECT_THAT(ended.out, HasSubstr(name));
 }
 
