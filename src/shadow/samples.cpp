@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -143,10 +144,12 @@ std::vector<glm::dvec2> unit_square_points(int n, Pattern pattern, std::uint64_t
     }
     return points;
   }
+  // Radical inverses are the lower ends of cells of this height: their mean is 1/2 less half of it.
+  const double half_cell = 0.5 / static_cast<double>(std::bit_ceil(static_cast<unsigned>(n)));
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n); ++i) {
     switch (pattern) {
       case Pattern::hammersley:
-        points.emplace_back((i + 0.5) / n, unit(reversed_bits(i)));
+        points.emplace_back((i + 0.5) / n, unit(reversed_bits(i)) + half_cell);
         break;
       case Pattern::r2:
         points.push_back(r2_point(i));

@@ -17,7 +17,8 @@ namespace shadowlab::shadow {
 ///   random      independent and uniform: error N^-1/2.
 ///   jitter      one point at random in each of N cells of equal area.
 ///   grid        the centres of those cells. Best on slanted edges, worst on axis-aligned ones.
-///   hammersley  ((i + 1/2)/N, radical inverse of i in base 2).
+///   hammersley  ((i + 1/2)/N, radical inverse of i in base 2 + 1/2 of its step), both centred: at
+///               N = 16 the inverse alone has the light a 16th of its half-width off its place.
 ///   r2          Roberts' additive recurrence on the plastic number.
 ///   sobol       the first two dimensions of Sobol's sequence, a (0, 2)-sequence in base 2.
 ///   owen        Sobol's sequence under Owen's nested uniform scrambling.

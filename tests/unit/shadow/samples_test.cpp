@@ -111,6 +111,17 @@ TEST(Samples, of_sobol_owen_and_hammersley_are_nets_in_base_2) {
   }
 }
 
+// Off its middle, a set of points is a light in another place.
+TEST(Samples, of_hammersley_and_grid_have_the_middle_of_the_square_for_their_mean) {
+  for (const Pattern pattern : {Pattern::hammersley, Pattern::grid}) {
+    for (const int n : {1, 4, 16, 64, 256}) {
+      glm::dvec2 sum(0);
+      for (const glm::dvec2 p : unit_square_points(n, pattern, 0)) sum += p;
+      EXPECT_EQ(sum / static_cast<double>(n), glm::dvec2(0.5)) << "sums of powers of two are exact";
+    }
+  }
+}
+
 TEST(Samples, of_jitter_and_grid_have_one_point_in_each_cell_of_a_square_number) {
   for (const Pattern pattern : {Pattern::jitter, Pattern::grid}) {
     std::set<std::pair<int, int>> boxes;
