@@ -3,7 +3,7 @@
 -- ones are many such frames, each with the light jittered, averaged by the accumulation buffer.
 --
 -- Lighting is per vertex: with few quads a wall, a light near it is lost between its vertices.
-local lamp = require "parts.lamp"
+local lab_room = require "parts.lab_room"
 
 local recipe = {
   title   = "The lab: soft shadows in a room",
@@ -13,7 +13,7 @@ local recipe = {
   params  = {
     light        = param.point(0.2, 2.1, 0.9),
     soft         = param.toggle(true),
-    jitters      = param.integer(16, 1, 1024),
+    jitters      = param.integer(16, 1, 4096),
     radius       = param.number(0.12, 0, 2),     -- how far the light is jittered
     shape        = param.choice("sphere", "square", "disk"),
     -- The lab jitters at random; points that are spread evenly need far fewer.
@@ -44,25 +44,6 @@ function recipe.setup(r)
   r.planar = shader.load "planar"
   r.orb = shader.load "orb"
   r.sphere = mesh.sphere(1, 24, 12)
-  r.walls = {}
-end
-
--- A wall's rectangle in as many quads as asked for, in its own plane y = 0.
-local function wall_mesh(r, wall)
-  local n = r.params.tessellation
-  local key = wall.name .. " " .. n
-  if not r.walls[key] then
-    local size = wall.mesh.high - wall.mesh.low
-    r.walls[key] = mesh.plane(size.x, size.z, n, n)
-  end
-  return r.walls[key]
-end
-
-local function models(r)
-  local turn = mat4.rotate(r.params.turn, 0, 1, 0)
-  local models = {}
-  for i, caster in ipairs(r.scene.casters) do models[i] = caster.model * turn end
-  return models
 end
 
 -- A wall with the casters' shadows on it.
@@ -73,7 +54,7 @@ local function draw_wall(r, wall, casters, seen)
     gl.StencilFunc(gl.ALWAYS, 1, 0xFFFFFFFF)
     gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
   end
-  wall_mesh(r, wall):draw(r.gouraud, { view = seen.view, projection = seen.projection, light = seen.light,
+  lab_room.wall_mesh(r, wall, r.params.tessellation):draw(r.gouraud, { view = seen.view, projection = seen.projection, light = seen.light,
                                        model = wall.model, color = wall.color, ambient = r.params.darkness })
   -- In the wall's own plane the light throws no shadow at all.
   if math.abs(wall.plane:dot(seen.light)) < 1e-9 then return end
@@ -106,15 +87,13 @@ end
 local function draw_scene(r, light)
   local camera = r.scene.camera
   local seen = { view = camera:view(), projection = camera:projection(r.width / r.height), light = light }
-  local casters = models(r)
+  local casters = lab_room.models(r)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
   gl.Enable(gl.DEPTH_TEST)
 
-  r.sphere:draw(r.orb, { view = seen.view, projection = seen.projection, color = vec3(1, 0.95, 0.7),
-                         model = mat4.translate(light.xyz) * mat4.scale(r.params.walls and 0.04 or 0.2) })
-  for _, wall in ipairs(r.scene.receivers) do
-    if r.params.walls or wall.name == "floor" then draw_wall(r, wall, casters, seen) end
-  end
+  r.sphere:draw(r.orb, { view = seen.view, projection = seen.projection, color = lab_room.orb_color,
+                         model = lab_room.orb_model(r, light) })
+  for _, wall in ipairs(lab_room.walls(r)) do draw_wall(r, wall, casters, seen) end
   for i, caster in ipairs(r.scene.casters) do
     caster:draw(r.gouraud, { view = seen.view, projection = seen.projection, light = light,
                              model = casters[i], ambient = r.params.darkness })
@@ -129,7 +108,7 @@ function recipe.draw(r)
     return
   end
 
-  local points = shadow.samples(lamp(light, params.shape, params.radius), params.jitters, params.pattern, params.seed)
+  local points = lab_room.points(r)
   fbo.accumulation(params.storage)
   gl.Clear(gl.ACCUM_BUFFER_BIT)
   for i, point in ipairs(points) do

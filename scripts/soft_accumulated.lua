@@ -22,6 +22,8 @@ local recipe = {
     shape     = param.choice("sphere", "square", "disk"),
     technique = param.choice("volumes", "maps"),
     samples   = param.integer(16, 1, 4096),
+    -- Over 0: as many points of "owen" as its penumbra needs for this error of visibility over the picture.
+    error     = param.number(0, 0, 1),
     pattern   = param.choice("hammersley", "random", "jitter", "grid", "r2", "sobol", "owen"),
     seed      = param.integer(1, 0, 1000000),   -- 0 is the truth's
     storage   = param.choice("snorm16", "snorm8", "float16", "float32"),
@@ -33,15 +35,21 @@ local recipe = {
   sweep     = { samples = { 1, 4, 16, 64, 256 } },
 }
 
-local function points_of(params)
-  return shadow.samples(lamp(params.light, params.shape, params.radius), params.samples, params.pattern, params.seed)
+local function points_of(r)
+  local params = r.params
+  local light = lamp(params.light, params.shape, params.radius)
+  if params.error == 0 or params.radius == 0 then
+    return shadow.samples(light, params.samples, params.pattern, params.seed)
+  end
+  local needed = shadow.samples_needed(r.scene, r.scene.camera, light, params.error)
+  return shadow.samples(light, math.min(needed, 4096), "owen", params.seed)
 end
 
 -- A lamp has a radius; for a direction there is none. Each map needs its point outside of the casters.
 function recipe.holds(r)
   if r.params.light.w == 0 then return false end
   if r.params.technique == "volumes" then return true end
-  for _, point in ipairs(points_of(r.params)) do
+  for _, point in ipairs(points_of(r)) do
     if not pcall(shadow.light_view, point, r.scene) then return false end
   end
   return true
@@ -114,7 +122,7 @@ local function draw_map(r, seen, light)
 end
 
 function recipe.draw(r)
-  local camera, points = r.scene.camera, points_of(r.params)
+  local camera, points = r.scene.camera, points_of(r)
   local seen = { view = camera:view(), light = r.params.light,
                  projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near) }
 

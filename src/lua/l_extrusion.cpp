@@ -60,14 +60,8 @@ shadow::TriangleRange run_argument(lua_State* L, int index, VolumeSource& source
   lua_getfield(L, index, "light");
   const auto light = read_light(L, lua_gettop(L), "light");
   lua_pop(L, 2);
-  const auto parts = source.layers.parts(
-      glm::dvec4(glm::vec4(shadow::light_in_model_space(model, light.position))));
-  if (!(part >= 1 && part <= static_cast<double>(parts.size()))) {
-    throw InputError(
-        fmt::format("shadow.extrusion: there is no part {}; for this light there {}", part,
-                    parts.size() == 1 ? "is one" : fmt::format("are {}", parts.size())));
-  }
-  const shadow::TriangleRange run = parts[static_cast<std::size_t>(part) - 1].triangles;
+  const shadow::TriangleRange run =
+      part_of(source, light_as_drawn(model, light), part, "extrusion");
   return {run.first, std::min(run.last, all)};
 }
 

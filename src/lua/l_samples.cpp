@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/near_names.h"
+#include "shadow/penumbra.h"
 
 namespace shadowlab::lua {
 namespace {
@@ -30,6 +31,42 @@ int samples(lua_State* L) {
   return 1;
 }
 
+int samples_needed(lua_State* L) {
+  const SceneBox scene =
+      read_box<SceneBox>(L, 1, "argument 1 of shadow.samples_needed (the scene)");
+  const auto& camera = read_box<CameraBox>(L, 2, "argument 2 of shadow.samples_needed").camera();
+  const auto light = read_light(L, 3, "argument 3 of shadow.samples_needed (the light)");
+  const double error = read<double>(L, 4, "argument 4 of shadow.samples_needed (the error)");
+  if (!(error > 0)) {
+    throw InputError(
+        "shadow.samples_needed: the error is a number over 0, of visibility over the picture");
+  }
+  Stage& stage = Stage::of(L);
+  for (const auto& object : scene->objects) stage.state.check_budget(object.mesh->indices.size());
+  const auto penumbra = shadow::penumbra(*scene, camera, light, stage.picture_size());
+  const int points = shadow::points_for(penumbra, error);
+  if (stage.explaining) {
+    stage.explain(fmt::format(
+        "The penumbra is {:.1f} pixels wide and {:.2f} % of the picture: {} of Owen's points are "
+        "expected to leave an error of {:.2g} over the picture, where {:g} was asked for.",
+        penumbra.width, 100 * penumbra.share, points, shadow::expected_error(penumbra, points),
+        error));
+  }
+  lua_pushinteger(L, points);
+  lua_createtable(L, 0, 2);
+  lua_pushnumber(L, penumbra.width);
+  lua_setfield(L, -2, "width");
+  lua_pushnumber(L, penumbra.share);
+  lua_setfield(L, -2, "share");
+  return 2;
+}
+
+int error_of_halves(lua_State* L) {
+  lua_pushnumber(
+      L, shadow::error_of_halves(read<double>(L, 1, "argument 1 of shadow.error_of_halves")));
+  return 1;
+}
+
 constexpr Entry functions[] = {
     {"samples",
      "shadow.samples(light, n, \"random\"|\"jitter\"|\"grid\"|\"hammersley\"|\"r2\"|\"sobol\"|"
@@ -40,6 +77,17 @@ constexpr Entry functions[] = {
      "= }, a sphere; a point gives itself n times. The same seed (0) gives the same points; of "
      "\"random\", \"r2\", \"sobol\" and \"owen\" the first points of many are the points of fewer.",
      guarded<samples>},
+    {"samples_needed",
+     "shadow.samples_needed(scene, camera, light, error) -> n, {width = , share = }",
+     "How many points of \"owen\" a light with a size is expected to need for an RMSE of "
+     "visibility over the picture of at most error, a power of two: by the penumbra along the "
+     "casters' silhouettes, width pixels wide, which is a share of the picture.",
+     guarded<samples_needed>},
+    {"error_of_halves", "shadow.error_of_halves(difference) -> number",
+     "The error of a mean over N points, of which the first and the second half have means that "
+     "differ by so much (RMS over the picture): half of it, which is not too little for any "
+     "pattern that is as good as random points.",
+     guarded<error_of_halves>},
 };
 
 }  // namespace

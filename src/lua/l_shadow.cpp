@@ -116,12 +116,14 @@ void open_shadow(Stage& stage) {
   set_functions(L, silhouette_functions());
   set_functions(L, plan_functions());
   set_functions(L, extrusion_functions());
+  set_functions(L, outline_functions());
   set_functions(L, sample_functions());
   set_functions(L, truth_functions());
   refuse_unknown_names(L, -1, "shadow");
   lua_setglobal(L, "shadow");
   open_volume(stage);
   open_extrusion(stage);
+  open_outline(stage);
   open_truth(stage);
 }
 

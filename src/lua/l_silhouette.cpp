@@ -2,6 +2,8 @@
 // many parts its volume is drawn.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lua/boxes.h"
 #include "lua/volume_pool.h"
 #include "shadow/silhouette.h"
@@ -34,6 +36,17 @@ glm::dvec4 light_as_drawn(const glm::dmat4& model, const scene::Light& light) {
 std::string caster_name(lua_State* L, int index) {
   const auto* object = test_box<ObjectBox>(L, index);
   return object ? object->object().name : "the caster";
+}
+
+shadow::TriangleRange part_of(VolumeSource& source, glm::dvec4 light, double part,
+                              const char* function) {
+  const auto parts = source.layers.parts(light);
+  if (!(part >= 1 && part <= static_cast<double>(parts.size())) || part != std::floor(part)) {
+    throw InputError(
+        fmt::format("shadow.{}: there is no part {}; for this light there {}", function, part,
+                    parts.size() == 1 ? "is one" : fmt::format("are {}", parts.size())));
+  }
+  return parts[static_cast<std::size_t>(part) - 1].triangles;
 }
 
 namespace {

@@ -124,17 +124,6 @@ std::string what_was_built(const std::string& caster, const Volume& volume,
       volume.extrusion > 0 ? fmt::format("by {:g} m", volume.extrusion) : "to infinity", caps);
 }
 
-shadow::TriangleRange part_of(Volume& volume, std::size_t part) {
-  if (part == 0) return {};
-  const auto parts = volume.source->layers.parts(volume.light);
-  if (part > parts.size()) {
-    throw InputError(
-        fmt::format("shadow.volume: there is no part {}; for this light there {}", part,
-                    parts.size() == 1 ? "is one" : fmt::format("are {}", parts.size())));
-  }
-  return parts[part - 1].triangles;
-}
-
 int build(lua_State* L) {
   const MeshBox mesh = caster_mesh(L, 1, "volume");
   const glm::dmat4 model = caster_model(L, 2, "volume");
@@ -146,7 +135,10 @@ int build(lua_State* L) {
   volume->model = model;
   volume->light = light_as_drawn(model, light);
   volume->extrusion = std::isinf(options.extrusion) ? 0 : options.extrusion;
-  volume->triangles = options.lecture ? shadow::TriangleRange{} : part_of(*volume, options.part);
+  volume->triangles =
+      options.lecture || options.part == 0
+          ? shadow::TriangleRange{}
+          : part_of(*volume->source, volume->light, static_cast<double>(options.part), "volume");
   if (options.lecture) {
     build_by_lecture(stage.graphics, *volume, options);
   } else {

@@ -37,6 +37,7 @@ std::vector<Module> all_modules() {
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
   modules.push_back({"shadow", "Casters as the light sees them.", silhouette_functions()});
   modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});
+  modules.push_back({"shadow", "Shadows on planes by their outline.", outline_functions()});
   modules.push_back({"shadow", "Soft light.", sample_functions()});
   modules.push_back({"shadow", "What a frame needs.", plan_functions()});
   modules.push_back({"shadow", "The exact visibility.", truth_functions()});
@@ -89,6 +90,9 @@ std::vector<ValueType> all_values() {
       {"volume", "What shadow.volume gives.", volume_methods(),
        described<VolumeBox>({{"triangles", "how many there are, caps and all"},
                              {"side_triangles", "how many of them are its sides"}})},
+      {"outline", "What shadow.outlines gives.", outline_methods(),
+       described<Outline>(
+           {{"triangles", "how many there are"}, {"layers", "no point is counted more often"}})},
       {"extrusion", "What shadow.extrusion gives.", extrusion_methods(),
        described<Extrusion>({{"primitives", "how many the shaders are given"}})},
   };

@@ -3,7 +3,8 @@
 namespace shadowlab::lua {
 
 VolumeSource::VolumeSource(gl::Graphics& graphics, const scene::Mesh& mesh)
-    : adjacency(scene::adjacency(mesh)),
+    : bounds(scene::bounds(mesh)),
+      adjacency(scene::adjacency(mesh)),
       next(scene::next(adjacency)),
       facing(adjacency.positions, adjacency.triangles),
       builder(adjacency),

@@ -25,6 +25,7 @@ namespace shadowlab::lua {
 struct VolumeSource {
   VolumeSource(gl::Graphics& graphics, const scene::Mesh& mesh);
 
+  scene::Bounds bounds;
   scene::Adjacency adjacency;
   std::vector<std::array<std::int32_t, 3>> next;
   shadow::FacingPlanes facing;
@@ -121,6 +122,22 @@ struct BoxTraits<Extrusion> {
   static bool push_field(lua_State*, Extrusion&, std::string_view);
   static std::span<const std::string_view> fields();
 };
+/// A volume's place in the pool, for what is flattened of its caster.
+struct Outline {
+  VolumeBox volume;
+  std::size_t layers = 0;  ///< no point is counted more often
+};
+
+template <>
+struct BoxTraits<Outline> {
+  static constexpr const char* name = "outline";
+  static bool push_field(lua_State*, Outline&, std::string_view);
+  static std::span<const std::string_view> fields();
+};
+std::span<const Entry> outline_functions();
+std::span<const Entry> outline_methods();
+void open_outline(Stage& stage);
+
 std::span<const Entry> extrusion_functions();
 std::span<const Entry> extrusion_methods();
 void open_extrusion(Stage& stage);
@@ -135,6 +152,11 @@ std::string caster_name(lua_State* L, int index);
 /// The light in the caster's space, as the very floats that the shader extrudes from: so that its
 /// sides and what is decided here agree.
 glm::dvec4 light_as_drawn(const glm::dmat4& model, const scene::Light& light);
+
+/// The triangles of part `part` of shadow.parts, counted from 1, for a light as drawn. Throws
+/// InputError, naming shadow.`function`, where there is none.
+shadow::TriangleRange part_of(VolumeSource& source, glm::dvec4 light, double part,
+                              const char* function);
 
 /// shadow.needs_zfail, .parts, .adjacency and .silhouette.
 std::span<const Entry> silhouette_functions();

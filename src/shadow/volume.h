@@ -31,6 +31,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,8 @@
 
 #include "scene/adjacency.h"
 #include "shadow/facing.h"
+#include "shadow/loop_filling.h"
+#include "shadow/outline.h"
 #include "shadow/silhouette.h"
 
 namespace shadowlab::shadow {
@@ -76,6 +79,14 @@ struct VolumeIndices {
   std::span<const std::uint32_t> back_cap;   ///< the same extruded, reversed
 };
 
+/// What is flattened onto a plane.
+struct Flat {
+  std::span<const std::uint32_t> indices;
+  /// No point of the plane is counted more often; nothing where that was not found on the way (ask
+  /// Layers).
+  std::optional<std::size_t> layers;
+};
+
 /// The volume of one mesh under a moving light. The vertices never change; a light's move writes
 /// indices only, and allocates nothing.
 class VolumeBuilder {
@@ -92,6 +103,12 @@ class VolumeBuilder {
   /// extrudes from. Throws InputError as `normalized_light`. Never refers to an extruded vertex
   /// that is the light itself, whose direction would be 0.
   VolumeIndices build(glm::dvec4 light, const VolumeOptions& options = {});
+
+  /// What is flattened for the shadow on a plane (outline.h), as indices into `vertices()`, three a
+  /// triangle, counter-clockwise as the light sees it. Of the options the triangles and the
+  /// handedness count. `filling` is outline or faces; none gives nothing. Valid until the next
+  /// `flat` or `build`.
+  Flat flat(glm::dvec4 light, Filling filling, const VolumeOptions& options = {});
 
   /// The coefficient c of each triangle, by the rules above. Valid until the next `chain` or
   /// `build`.
@@ -123,6 +140,7 @@ class VolumeBuilder {
     std::vector<std::int8_t> edges;  // -1 where there is one, else 0
     std::vector<std::array<Index, 2>> vertices;
   };
+  void count(glm::dvec4 light, const VolumeOptions& options);
   void collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                      std::span<const std::uint8_t> turned);
   void take_run(std::size_t stride);
@@ -152,6 +170,8 @@ class VolumeBuilder {
   std::vector<std::int8_t> chain_;
   std::unique_ptr<Index[]> boundary_;
   std::unique_ptr<Index[]> indices_;
+  std::vector<LoopFilling::Edge> outline_;
+  LoopFilling filling_;
 };
 
 /// A volume with its vertices extruded on the CPU, homogeneous, model space; counter-clockwise seen

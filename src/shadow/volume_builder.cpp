@@ -295,11 +295,40 @@ std::uint32_t* VolumeBuilder::append_cap(Index* out, std::span<const scene::Tria
   return out;
 }
 
-VolumeIndices VolumeBuilder::build(glm::dvec4 light, const VolumeOptions& options) {
-  light = normalized_light(light);
+// The chain of those triangles that the options name.
+void VolumeBuilder::count(glm::dvec4 light, const VolumeOptions& options) {
   const std::size_t count = chain(light, options.faces).size();
   std::fill_n(chain_.begin(), std::min(options.triangles.first, count), std::int8_t{0});
   for (std::size_t t = options.triangles.last; t < count; ++t) chain_[t] = 0;
+}
+
+Flat VolumeBuilder::flat(glm::dvec4 light, Filling filling, const VolumeOptions& options) {
+  if (filling == Filling::none) return {{}, 0};
+  light = normalized_light(light);
+  count(light, options);
+  Index* const begin = indices_.get();
+  Index* end = begin;
+  std::optional<std::size_t> layers;
+  if (filling == Filling::faces) {
+    end = append_cap(begin, front_);
+  } else {
+    // Each side begins b, a for an edge a→b.
+    const Index* const sides_end = append_sides<false>(begin);
+    outline_.clear();
+    for (const Index* side = begin; side != sides_end; side += 3)
+      outline_.push_back({side[1], side[0]});
+    end = filling_.append(outline_, vertices_.size(), begin);
+    layers = filling_.most_windings(vertices_, light);
+  }
+  if (options.handedness == Handedness::mirrored) {
+    for (Index* i = begin; i != end; i += 3) std::swap(i[0], i[1]);
+  }
+  return {{begin, end}, layers};
+}
+
+VolumeIndices VolumeBuilder::build(glm::dvec4 light, const VolumeOptions& options) {
+  light = normalized_light(light);
+  count(light, options);
   const bool one_point = light.w == 0 && options.reach == Reach::infinite;
   Index* const begin = indices_.get();
   Index* const front = one_point ? append_sides<false>(begin) : append_sides<true>(begin);

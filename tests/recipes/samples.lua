@@ -60,6 +60,17 @@ test("a_seed_moves_the_seeded_patterns_alone", function()
   end
 end)
 
+test("more_points_are_needed_for_a_larger_penumbra_and_a_smaller_error", function()
+  local world = scene.load "plate"
+  local lamp = { center = vec3(0.2, 3, 0.1), u = vec3(0.4, 0, 0), v = vec3(0, 0, 0.4) }
+  local n, penumbra = shadow.samples_needed(world, world.camera, lamp, 0.01)
+  local more, wider = shadow.samples_needed(world, world.camera, { center = lamp.center, u = lamp.u * 2, v = lamp.v * 2 }, 0.01)
+  expect(more > n and wider.width > 1.9 * penumbra.width and wider.share > penumbra.share)
+  expect(shadow.samples_needed(world, world.camera, lamp, 0.001) > n)
+  expect_equal(shadow.samples_needed(world, world.camera, vec4(0.2, 3, 0.1, 1), 0.001), 1, "a point has no penumbra")
+  expect_error(function() shadow.samples_needed(world, world.camera, lamp, 0) end, "over 0")
+end)
+
 test("a_point_gives_itself", function()
   for _, point in ipairs(shadow.samples(vec4(2, 4, 1, 1), 3)) do expect_equal(point, vec4(2, 4, 1, 1)) end
 end)
