@@ -4,6 +4,7 @@
 -- `shadowlab run planned --explain` says what was kept and dropped, and why.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes by plan",
@@ -27,7 +28,7 @@ function recipe.draw(r)
   local seen = { view = view, projection = projection, light = light }
   local plan = shadow.plan(scene, camera, light)
   local batches = batches_of(plan.casters, light)
-  local volumes
+  local volumes = {}
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
@@ -35,37 +36,38 @@ function recipe.draw(r)
 
   pass("1. what is seen in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    for _, object in ipairs(plan.seen) do object:draw(r.phong, seen) end
+    scene_depth.draw(plan.seen, r.phong, seen)
   end)
 
   gl.DepthMask(false)
-  gl.Enable(gl.STENCIL_TEST)
+  pass("2. sides turned from the light are in their own shadow", function()
+    for _, batch in ipairs(batches) do
+      for _, drawn in ipairs(batch) do
+        local zfail = plan.needs[drawn.caster].zfail
+        drawn.volume = shadow.volume(drawn.caster, nil, light, { caps = zfail, part = drawn.part })
+        table.insert(volumes, drawn.volume)
+      end
+    end
+    own_shadow(volumes, r.volume, seen)
+  end)
+
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
-
-    pass("2. sides turned from the light are in their own shadow" .. group, function()
-      volumes = {}
-      for k, drawn in ipairs(batch) do
-        volumes[k] = shadow.volume(drawn.caster, nil, light,
-                                   { caps = plan.needs[drawn.caster].zfail, part = drawn.part })
-      end
-      own_shadow(volumes, r.volume, seen)
-    end)
 
     pass("3. each volume where it counts, by z-fail where it needs that, else by z-pass" .. group, function()
       gl.StencilFunc(gl.ALWAYS, 0, 0)
       gl.Enable(gl.SCISSOR_TEST)
-      for k, drawn in ipairs(batch) do
+      for _, drawn in ipairs(batch) do
         local needs = plan.needs[drawn.caster]
         gl.Scissor(table.unpack(needs.scissor))
         if needs.zfail then
           gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
           gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-          volumes[k]:draw(r.volume, seen)
+          drawn.volume:draw(r.volume, seen)
         else
           gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.KEEP, gl.INCR_WRAP)
           gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.KEEP, gl.DECR_WRAP)
-          volumes[k]:draw_sides(r.volume, seen)
+          drawn.volume:draw_sides(r.volume, seen)
         end
       end
       gl.Disable(gl.SCISSOR_TEST)
@@ -81,14 +83,14 @@ function recipe.draw(r)
         gl.Disable(gl.DEPTH_TEST)
         r.quad:draw(r.flat)
         gl.Enable(gl.DEPTH_TEST)
+        gl.StencilMask(0x7F)
       end)
     end
   end
 
   gl.ColorMask(true, true, true, true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
-  gl.DepthFunc(gl.LEQUAL)
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
+  scene_depth.match()
 
   pass("4. the dark part of what a shadow may reach", function()
     gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)

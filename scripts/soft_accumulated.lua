@@ -10,6 +10,7 @@ local draw_lit = require "parts.draw_lit"
 local lamp = require "parts.lamp"
 local map_pass = require "parts.map_pass"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Soft shadows, accumulated",
@@ -64,26 +65,31 @@ function recipe.setup(r)
   if r.params.technique == "maps" then r.fbo, r.map = map_pass.make(r.params.size) end
 end
 
--- The passes of volumes_zfail, but for the depth, which no light changes.
+-- The passes of volumes_zfail.
 local function draw_volumes(r, seen, light)
   local scene, batches = r.scene, batches_of(r.scene.casters, light)
   local at = { view = seen.view, projection = seen.projection, light = light }
   gl.StencilMask(0xFF)
-  gl.Clear(gl.COLOR_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.DepthMask(true)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
   gl.Enable(gl.DEPTH_TEST)
-  gl.Enable(gl.STENCIL_TEST)
-  gl.DepthMask(false)
+  gl.DepthFunc(gl.LESS)
   gl.ColorMask(false, false, false, false)
+  scene_depth.draw(scene.objects, r.phong, at)
+  gl.DepthMask(false)
+  local volumes = {}
   for _, batch in ipairs(batches) do
-    local volumes = {}
-    for k, drawn in ipairs(batch) do
-      volumes[k] = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
+    for _, drawn in ipairs(batch) do
+      drawn.volume = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
+      table.insert(volumes, drawn.volume)
     end
-    own_shadow(volumes, r.volume, at)
+  end
+  own_shadow(volumes, r.volume, at)
+  for _, batch in ipairs(batches) do
     gl.StencilFunc(gl.ALWAYS, 0, 0)
     gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
     gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-    for _, volume in ipairs(volumes) do volume:draw(r.volume, at) end
+    for _, drawn in ipairs(batch) do drawn.volume:draw(r.volume, at) end
     if #batches > 1 then
       gl.StencilMask(0xFF)
       gl.StencilFunc(gl.NOTEQUAL, 0x80, 0x7F)
@@ -91,12 +97,12 @@ local function draw_volumes(r, seen, light)
       gl.Disable(gl.DEPTH_TEST)
       r.quad:draw(r.flat)
       gl.Enable(gl.DEPTH_TEST)
+      gl.StencilMask(0x7F)
     end
   end
   gl.ColorMask(true, true, true, true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
-  gl.DepthFunc(gl.LEQUAL)
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
+  scene_depth.match()
   at.ambient = r.params.darkness
   for _, part in ipairs{ { gl.NOTEQUAL, 0 }, { gl.EQUAL, 1 } } do
     gl.StencilFunc(part[1], 0, 0xFF)
@@ -104,6 +110,7 @@ local function draw_volumes(r, seen, light)
     scene:draw(r.phong, at)
   end
   gl.Disable(gl.STENCIL_TEST)
+  gl.Disable(gl.POLYGON_OFFSET_FILL)
 end
 
 -- The passes of shadow_map_fbo.
@@ -129,14 +136,6 @@ function recipe.draw(r)
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   fbo.accumulation(r.params.storage)
   gl.Clear(gl.ACCUM_BUFFER_BIT | gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
-
-  if r.params.technique == "volumes" then
-    pass("the scene in the depth buffer", function()
-      gl.Enable(gl.DEPTH_TEST)
-      gl.ColorMask(false, false, false, false)
-      r.scene:draw(r.phong, seen)
-    end)
-  end
 
   local draw_hard = r.params.technique == "volumes" and draw_volumes or draw_map
   for i, point in ipairs(points) do

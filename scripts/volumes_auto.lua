@@ -3,6 +3,7 @@
 -- leave there how many volumes hold the pixel.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes, z-pass or z-fail for each caster",
@@ -25,7 +26,7 @@ function recipe.draw(r)
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
   local batches = batches_of(scene.casters, light)
-  local volumes
+  local volumes = {}
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
@@ -33,34 +34,35 @@ function recipe.draw(r)
 
   pass("1. the scene in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    scene:draw(r.phong, seen)
+    scene_depth.draw(scene.objects, r.phong, seen)
   end)
 
   gl.DepthMask(false)
-  gl.Enable(gl.STENCIL_TEST)
+  pass("2. sides turned from the light are in their own shadow", function()
+    for _, batch in ipairs(batches) do
+      for _, drawn in ipairs(batch) do
+        drawn.zfail = shadow.needs_zfail(camera, light, drawn.caster)
+        drawn.volume = shadow.volume(drawn.caster, nil, light, { caps = drawn.zfail, part = drawn.part })
+        table.insert(volumes, drawn.volume)
+      end
+    end
+    own_shadow(volumes, r.volume, seen)
+  end)
+
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
 
-    pass("2. sides turned from the light are in their own shadow" .. group, function()
-      volumes = {}
-      for k, drawn in ipairs(batch) do
-        drawn.zfail = shadow.needs_zfail(camera, light, drawn.caster)
-        volumes[k] = shadow.volume(drawn.caster, nil, light, { caps = drawn.zfail, part = drawn.part })
-      end
-      own_shadow(volumes, r.volume, seen)
-    end)
-
     pass("3. volumes by z-fail where the near plane may be in shadow, else by z-pass" .. group, function()
       gl.StencilFunc(gl.ALWAYS, 0, 0)
-      for k, drawn in ipairs(batch) do
+      for _, drawn in ipairs(batch) do
         if drawn.zfail then
           gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
           gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-          volumes[k]:draw(r.volume, seen)
+          drawn.volume:draw(r.volume, seen)
         else
           gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.KEEP, gl.INCR_WRAP)
           gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.KEEP, gl.DECR_WRAP)
-          volumes[k]:draw_sides(r.volume, seen)
+          drawn.volume:draw_sides(r.volume, seen)
         end
       end
     end)
@@ -75,14 +77,14 @@ function recipe.draw(r)
         gl.Disable(gl.DEPTH_TEST)
         r.quad:draw(r.flat)
         gl.Enable(gl.DEPTH_TEST)
+        gl.StencilMask(0x7F)
       end)
     end
   end
 
   gl.ColorMask(true, true, true, true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
-  gl.DepthFunc(gl.LEQUAL)
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
+  scene_depth.match()
 
   -- NOTEQUAL 0: the slide's EQUAL 1 leaves what two casters shadow without either colour.
   pass("4. the dark part of the scene", function()

@@ -9,6 +9,7 @@
 -- far cross, one width stands for both. A light that reaches into a caster is no light.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes, blurred edges",
@@ -76,30 +77,30 @@ local function count_volumes(r, seen)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
     gl.Enable(gl.DEPTH_TEST)
     gl.ColorMask(false, false, false, false)
-    r.scene:draw(r.phong, seen)
+    scene_depth.draw(r.scene.objects, r.phong, seen)
   end)
 
   gl.DepthMask(false)
-  gl.Enable(gl.STENCIL_TEST)
   local volumes = {}
   local batches = batches_of(r.scene.casters, seen.light)
+  pass("2. sides turned from the light are in their own shadow", function()
+    for _, batch in ipairs(batches) do
+      for _, drawn in ipairs(batch) do
+        drawn.volume = shadow.volume(drawn.caster, nil, seen.light, { part = drawn.part })
+        table.insert(volumes, drawn.volume)
+      end
+    end
+    own_shadow(volumes, r.volume, seen)
+  end)
+
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
-    local counted = {}
-
-    pass("2. sides turned from the light are in their own shadow" .. group, function()
-      for k, drawn in ipairs(batch) do
-        counted[k] = shadow.volume(drawn.caster, nil, seen.light, { part = drawn.part })
-        volumes[#volumes + 1] = counted[k]
-      end
-      own_shadow(counted, r.volume, seen)
-    end)
 
     pass("3. hidden back faces of the volumes +1, hidden front faces -1" .. group, function()
       gl.StencilFunc(gl.ALWAYS, 0, 0)
       gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
       gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-      for _, volume in ipairs(counted) do volume:draw(r.volume, seen) end
+      for _, drawn in ipairs(batch) do drawn.volume:draw(r.volume, seen) end
     end)
 
     if #batches > 1 then
@@ -110,6 +111,7 @@ local function count_volumes(r, seen)
         gl.Disable(gl.DEPTH_TEST)
         r.quad:draw(r.flat)
         gl.Enable(gl.DEPTH_TEST)
+        gl.StencilMask(0x7F)
       end)
     end
   end

@@ -5,6 +5,7 @@
 --   geometry shader  each triangle knows its three neighbours and throws a side where one differs
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes, extruded by shaders",
@@ -37,7 +38,7 @@ function recipe.draw(r)
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
   local batches = batches_of(scene.casters, light)
-  local extrusions
+  local extrusions = {}
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
@@ -45,27 +46,28 @@ function recipe.draw(r)
 
   pass("1. the scene in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    scene:draw(r.depth[extruder], { view = view, projection = projection })
+    scene_depth.draw(scene.objects, r.depth[extruder], { view = view, projection = projection })
   end)
 
   gl.DepthMask(false)
-  gl.Enable(gl.STENCIL_TEST)
+  pass("2. sides turned from the light are in their own shadow", function()
+    for _, batch in ipairs(batches) do
+      for _, drawn in ipairs(batch) do
+        drawn.extrusion = shadow.extrusion(drawn.caster, extruder, nil, { part = drawn.part, light = light })
+        table.insert(extrusions, drawn.extrusion)
+      end
+    end
+    own_shadow(extrusions, r.unlit[extruder], seen)
+  end)
+
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
-
-    pass("2. sides turned from the light are in their own shadow" .. group, function()
-      extrusions = {}
-      for k, drawn in ipairs(batch) do
-        extrusions[k] = shadow.extrusion(drawn.caster, extruder, nil, { part = drawn.part, light = light })
-      end
-      own_shadow(extrusions, r.unlit[extruder], seen)
-    end)
 
     pass("3. hidden back faces of the volumes +1, hidden front faces -1" .. group, function()
       gl.StencilFunc(gl.ALWAYS, 0, 0)
       gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
       gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-      for _, extrusion in ipairs(extrusions) do extrusion:draw(r.extrude[extruder], seen) end
+      for _, drawn in ipairs(batch) do drawn.extrusion:draw(r.extrude[extruder], seen) end
     end)
 
     -- Bit 7 keeps what a group found, so that the next counts from zero: with one group there is
@@ -78,6 +80,7 @@ function recipe.draw(r)
         gl.Disable(gl.DEPTH_TEST)
         r.quad:draw(r.flat)
         gl.Enable(gl.DEPTH_TEST)
+        gl.StencilMask(0x7F)
       end)
     end
   end

@@ -3,6 +3,7 @@
 -- so that together they give what one gives.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes, several lights",
@@ -23,22 +24,30 @@ end
 
 -- Leaves in the stencil what is not 0 where `light` does not reach.
 local function count_volumes(r, light, seen, name)
-  gl.ColorMask(false, false, false, false)
-  gl.DepthFunc(gl.LESS)
-  gl.StencilMask(0xFF)
-  gl.Clear(gl.STENCIL_BUFFER_BIT)
-  local batches = batches_of(r.scene.casters, light)
+  local batches, volumes = batches_of(r.scene.casters, light), {}
+  pass(name .. ": what is turned from it", function()
+    gl.ColorMask(false, false, false, false)
+    gl.DepthFunc(gl.LESS)
+    gl.DepthMask(true)
+    gl.StencilMask(0xFF)
+    gl.Clear(gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+    scene_depth.draw(r.scene.objects, r.phong, seen)
+    gl.DepthMask(false)
+    for _, batch in ipairs(batches) do
+      for _, drawn in ipairs(batch) do
+        drawn.volume = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
+        table.insert(volumes, drawn.volume)
+      end
+    end
+    own_shadow(volumes, r.volume, seen)
+  end)
+
   for i, batch in ipairs(batches) do
     pass(name .. ": its volumes" .. (#batches > 1 and ", group " .. i or ""), function()
-      local volumes = {}
-      for k, drawn in ipairs(batch) do
-        volumes[k] = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
-      end
-      own_shadow(volumes, r.volume, seen)
       gl.StencilFunc(gl.ALWAYS, 0, 0)
       gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
       gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-      for _, volume in ipairs(volumes) do volume:draw(r.volume, seen) end
+      for _, drawn in ipairs(batch) do drawn.volume:draw(r.volume, seen) end
       if #batches > 1 then
         gl.StencilMask(0xFF)
         gl.StencilFunc(gl.NOTEQUAL, 0x80, 0x7F)
@@ -46,10 +55,10 @@ local function count_volumes(r, light, seen, name)
         gl.Disable(gl.DEPTH_TEST)
         r.quad:draw(r.flat)
         gl.Enable(gl.DEPTH_TEST)
+        gl.StencilMask(0x7F)
       end
     end)
   end
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
 end
 
 function recipe.draw(r)
@@ -62,12 +71,10 @@ function recipe.draw(r)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
   gl.Enable(gl.DEPTH_TEST)
 
-  pass("the ambient part, and the depth buffer", function()
+  pass("the ambient part", function()
     scene:draw(r.phong, { view = view, projection = projection, lit = 0, ambient = darkness })
   end)
 
-  gl.DepthMask(false)
-  gl.Enable(gl.STENCIL_TEST)
   local share = (1 - darkness) / #lights
   gl.BlendColor(share, share, share, share)
   gl.BlendFunc(gl.CONSTANT_COLOR, gl.ONE)
@@ -79,7 +86,7 @@ function recipe.draw(r)
 
       pass("light " .. i .. ": its colours where it reaches", function()
         gl.ColorMask(true, true, true, true)
-        gl.DepthFunc(gl.LEQUAL)
+        scene_depth.match()
         gl.StencilFunc(gl.EQUAL, 0, 0xFF)
         gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
         gl.Enable(gl.BLEND)

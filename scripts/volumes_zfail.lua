@@ -3,6 +3,7 @@
 -- volume needs caps, and a far plane at infinity for the caps that lie there.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes, z-fail",
@@ -25,7 +26,7 @@ function recipe.draw(r)
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
   local batches = batches_of(scene.casters, light)
-  local volumes
+  local volumes = {}
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
@@ -33,21 +34,22 @@ function recipe.draw(r)
 
   pass("1. the scene in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    scene:draw(r.phong, seen)
+    scene_depth.draw(scene.objects, r.phong, seen)
   end)
 
   gl.DepthMask(false)
-  gl.Enable(gl.STENCIL_TEST)
+  pass("2. sides turned from the light are in their own shadow", function()
+    for _, batch in ipairs(batches) do
+      for _, drawn in ipairs(batch) do
+        drawn.volume = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
+        table.insert(volumes, drawn.volume)
+      end
+    end
+    own_shadow(volumes, r.volume, seen)
+  end)
+
   for i, batch in ipairs(batches) do
     local group = #batches > 1 and (", group " .. i) or ""
-
-    pass("2. sides turned from the light are in their own shadow" .. group, function()
-      volumes = {}
-      for k, drawn in ipairs(batch) do
-        volumes[k] = shadow.volume(drawn.caster, nil, light, { part = drawn.part })
-      end
-      own_shadow(volumes, r.volume, seen)
-    end)
 
     -- Both at once by StencilOpSeparate. Two draws with CullFace are the lecture's; but a sliver that
     -- a rasteriser's rounding turns round may be culled from both, and then one count is missing.
@@ -56,7 +58,7 @@ function recipe.draw(r)
       -- INCR would stay at the highest value and lose count: INCR_WRAP does not.
       gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
       gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
-      for _, volume in ipairs(volumes) do volume:draw(r.volume, seen) end
+      for _, drawn in ipairs(batch) do drawn.volume:draw(r.volume, seen) end
     end)
 
     -- Bit 7 keeps what a group found, so that the next counts from zero: with one group there is
@@ -69,14 +71,14 @@ function recipe.draw(r)
         gl.Disable(gl.DEPTH_TEST)
         r.quad:draw(r.flat)
         gl.Enable(gl.DEPTH_TEST)
+        gl.StencilMask(0x7F)
       end)
     end
   end
 
   gl.ColorMask(true, true, true, true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
-  gl.DepthFunc(gl.LEQUAL)
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
+  scene_depth.match()
 
   -- NOTEQUAL 0: the slide's EQUAL 1 leaves what two casters shadow without either colour.
   pass("4. the dark part of the scene", function()

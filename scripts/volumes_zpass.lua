@@ -4,6 +4,7 @@
 -- and the recipe prints it when it is not.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
+local scene_depth = require "parts.scene_depth"
 
 local recipe = {
   title   = "Shadow volumes, z-pass",
@@ -48,10 +49,9 @@ function recipe.draw(r)
 
   pass("1. the scene in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    scene:draw(r.phong, seen)
+    scene_depth.draw(scene.objects, r.phong, seen)
   end)
 
-  gl.Enable(gl.STENCIL_TEST)
   gl.DepthMask(false)
 
   pass("sides turned from the light are in their own shadow", function()
@@ -76,8 +76,7 @@ function recipe.draw(r)
 
   gl.ColorMask(true, true, true, true)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
-  gl.DepthFunc(gl.LEQUAL)
-  gl.Disable(gl.POLYGON_OFFSET_FILL)
+  scene_depth.match()
 
   -- NOTEQUAL 0: the slide's EQUAL 1 leaves out what two casters shadow.
   pass("4. the dark part of the scene", function()
@@ -91,6 +90,7 @@ function recipe.draw(r)
   end)
 
   pass("6. the initial state again", function()
+    gl.Disable(gl.POLYGON_OFFSET_FILL)
     gl.DepthFunc(gl.LESS)
     gl.DepthMask(true)
     gl.Disable(gl.STENCIL_TEST)

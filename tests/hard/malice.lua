@@ -132,3 +132,39 @@ test("a_light_inside_of_a_closed_caster_darkens_all_outside_and_nothing_within",
     end
   end
 end)
+
+-- Where a caster stands on the floor its sides end in the floor's plane, and a corner's rounding may bring
+-- one before the floor that hides it: a pixel of its own shadow. From below, under a light from below, all that
+-- is seen is lit.
+test("what_a_caster_stands_on_hides_its_sides_to_the_last_pixel", function()
+  local random = sequence(5)
+  for view = 1, 40 do
+    local box = mesh.box(1.2):transformed(mat4.translate(0, 0.6 + 1e-6, 0) * mat4.rotate(90 * random(), 0, 1, 0))
+    local camera = { eye = vec3(3 * random() - 1.5, -0.5 - 1.5 * random(), 3 * random() - 1.5),
+                     target = vec3(random() - 0.5, 0, random() - 0.5), fovy = 60, near = 0.2, far = 60 }
+    local world = alone(box, nil, camera)
+    local from = vec4(8 * random() - 4, -3, 8 * random() - 4, 1)
+    for _, recipe in ipairs{ "volumes_zfail", "volumes_zpass" } do
+      local picture = given.draw(recipe, world, from)
+      for y = 0, given.size - 1 do
+        for x = 0, given.size - 1 do
+          expect_equal(picture:stencil(x, y), 0, recipe .. ", view " .. view .. ": " .. x .. ", " .. y)
+        end
+      end
+    end
+  end
+end)
+
+-- A volume's face that is nearly edge on changes its depth by metres over a pixel. Moved by that alone,
+-- it would pass what its volume's other faces do not.
+test("faces_of_a_volume_stay_together_where_one_is_edge_on", function()
+  local city, size = require "scenes.city", given.size
+  local camera = { eye = vec3(-193.82984041790024, 247.01967336765338, -256.8937650940833),
+                   target = vec3(31.651973848565074, 8.933489306009939, -103.34923571507684),
+                   fovy = 38.99117539958826, near = 4.053022929254593, far = 1917.0669645993946,
+                   up = vec3(-0.785520265014249, -0.4998336862791093, -0.3648618907375513) }
+  given.size = 128
+  given.expect_truth(given.world_of(city.objects, camera),
+                     vec4(0.6210900802300316, -0.05928353807016418, 0.7814938095428117, 0))
+  given.size = size
+end)
