@@ -1,6 +1,7 @@
 #include "shadow/facing.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +14,8 @@
 // since every sign that is near its bound is decided exactly.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SHADOWLAB_CLONES __attribute__((target_clones("avx2", "default")))
+#define SHADOWLAB_CLONES \
+  __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define SHADOWLAB_CLONES
 #endif
@@ -28,30 +30,38 @@ struct Planes {
   const float *x, *y, *z, *d;
 };
 
+// The topmost bit of a float is its sign, and without it floats are ordered as their bits are: so
+// each question is one operation of integers.
+constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
+
 /// Whether all n triangles are clear of the bound; out = 1 where lit, else 0.
 SHADOWLAB_CLONES
 bool decide_lit(Planes p, float lx, float ly, float lz, float lw, float bound, std::size_t n,
                 std::int8_t* __restrict out) {
-  int doubtful = 0;
+  std::int32_t least = largest;
   for (std::size_t i = 0; i < n; ++i) {
     const float value = (p.x[i] * lx + p.y[i] * ly) + (p.z[i] * lz + p.d[i] * lw);
-    out[i] = value > bound ? 1 : 0;
-    doubtful |= std::abs(value) > bound ? 0 : 1;
+    const auto bits = std::bit_cast<std::int32_t>(value);
+    const std::int32_t magnitude = bits & largest;
+    least = magnitude < least ? magnitude : least;
+    out[i] = static_cast<std::int8_t>(1 + (bits >> 31));
   }
-  return doubtful == 0;
+  return least > std::bit_cast<std::int32_t>(bound);
 }
 
 /// The same; out = 1 where lit, else -1.
 SHADOWLAB_CLONES
 bool decide_sign(Planes p, float lx, float ly, float lz, float lw, float bound, std::size_t n,
                  std::int8_t* __restrict out) {
-  int doubtful = 0;
+  std::int32_t least = largest;
   for (std::size_t i = 0; i < n; ++i) {
     const float value = (p.x[i] * lx + p.y[i] * ly) + (p.z[i] * lz + p.d[i] * lw);
-    out[i] = value > bound ? 1 : -1;
-    doubtful |= std::abs(value) > bound ? 0 : 1;
+    const auto bits = std::bit_cast<std::int32_t>(value);
+    const std::int32_t magnitude = bits & largest;
+    least = magnitude < least ? magnitude : least;
+    out[i] = static_cast<std::int8_t>(1 + 2 * (bits >> 31));
   }
-  return doubtful == 0;
+  return least > std::bit_cast<std::int32_t>(bound);
 }
 
 struct LitSign {

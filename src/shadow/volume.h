@@ -144,7 +144,6 @@ class VolumeBuilder {
   void collect_edges(const scene::Adjacency& mesh, std::span<const Index> place,
                      std::span<const std::uint8_t> turned);
   void take_run(std::size_t stride);
-  std::span<const Index> boundary_of(const Run& run);
   std::span<const Index> boundary_of_edges();
   template <bool quads>
   Index* append_sides(Index* out);

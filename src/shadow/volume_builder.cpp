@@ -3,6 +3,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "shadow/differing.h"
 #include "shadow/volume.h"
 
 namespace shadowlab::shadow {
@@ -20,22 +21,6 @@ std::uint64_t word_at(const std::int8_t* coefficients) {
   std::memcpy(&word, coefficients, word_size);
   return word;
 }
-
-/// For each set of bytes of a word, as eight bits: which they are, and how many.
-struct Members {
-  std::array<Index, word_size> places{};
-  std::size_t count = 0;
-};
-
-constexpr std::array<Members, 256> members_of = [] {
-  std::array<Members, 256> table{};
-  for (std::size_t set = 0; set < 256; ++set) {
-    for (Index k = 0; k < word_size; ++k) {
-      if ((set >> k & 1) != 0) table[set].places[table[set].count++] = k;
-    }
-  }
-  return table;
-}();
 
 /// Triangles in the builder's order, and what became of each of the adjacency's.
 struct Arrangement {
@@ -79,18 +64,19 @@ Arrangement arranged(const scene::Adjacency& mesh, const std::vector<Component>&
 /// front cap runs along a→b, so the side runs b→a.
 template <bool quads>
 Index* append_side(Index* out, std::array<Index, 2> edge, int multiplicity) {
-  const bool turned = multiplicity < 0;
-  const Index a = edge[turned ? 1 : 0], b = edge[turned ? 0 : 1];
+  // Two indices at a time, the first in the lower half. Of a vertex i the extruded one is i + 1.
+  constexpr std::uint64_t first = 1, second = std::uint64_t{1} << 32;
+  auto a_b = std::bit_cast<std::uint64_t>(edge);
+  const std::uint64_t b_a = std::rotl(a_b, 32);
+  const std::uint64_t run = multiplicity < 0 ? a_b : b_a;
+  a_b = multiplicity < 0 ? b_a : a_b;
   int left = std::abs(multiplicity);
   do {
-    out[0] = b;
-    out[1] = a;
-    out[2] = a + 1;
-    if constexpr (quads) {
-      out[3] = b;
-      out[4] = a + 1;
-      out[5] = b + 1;
-    }
+    // b, a, a + 1; and b, a + 1, b + 1.
+    std::memcpy(out, &run, sizeof run);
+    const std::uint64_t outer_a_b = a_b + first, outer = outer_a_b + second;
+    std::memcpy(out + 2, &outer_a_b, sizeof run);
+    if constexpr (quads) std::memcpy(out + 4, &outer, sizeof run);
     out += quads ? 6 : 3;
   } while (--left > 0);
   return out;
@@ -123,12 +109,11 @@ VolumeBuilder::VolumeBuilder(const scene::Adjacency& mesh) : planes_({}, {}) {
   collect_edges(mesh, arrangement.place, arrangement.turned);
   std::size_t furthest = 0;
   for (const Run& run : runs_) furthest = std::max(furthest, run.stride);
-  chain_.assign(count + furthest + 2 * word_size, 0);
+  chain_.assign(count + furthest + differing_span, 0);
   planes_ = FacingPlanes(mesh.positions, std::move(arrangement.triangles));
   // A word more than can be found, and than the worst case of a side of six indices for each
   // triangle at each edge and two caps: some are written before it is known whether they stay.
-  boundary_ =
-      std::make_unique_for_overwrite<Index[]>(std::max(count, edge_triangles_.size()) + word_size);
+  boundary_ = std::make_unique_for_overwrite<Index[]>(edge_triangles_.size() + word_size);
   indices_ = std::make_unique_for_overwrite<Index[]>(count * (3 * 6 + 6) + word_size);
 }
 
@@ -174,7 +159,7 @@ void VolumeBuilder::collect_edges(const scene::Adjacency& mesh, std::span<const 
 // The edges of one stride become a run; a second one between the same two triangles stays.
 void VolumeBuilder::take_run(std::size_t stride) {
   const std::size_t count = front_.size() - word_size;
-  Run run{stride, std::vector<std::int8_t>(count + word_size, 0),
+  Run run{stride, std::vector<std::int8_t>(count + differing_span, 0),
           std::vector<std::array<Index, 2>>(count)};
   std::size_t kept = 0;
   for (std::size_t e = 0; e < edge_triangles_.size(); ++e) {
@@ -215,26 +200,6 @@ std::span<const std::int8_t> VolumeBuilder::chain(glm::dvec4 light, Faces faces)
   return chain;
 }
 
-std::span<const std::uint32_t> VolumeBuilder::boundary_of(const Run& run) {
-  const std::int8_t *const chain = chain_.data(), *const next = chain + run.stride,
-                           *const edges = run.edges.data();
-  Index* const boundary = boundary_.get();
-  std::size_t found = 0;
-  for (std::size_t t = 0; t < triangle_count(); t += word_size) {
-    const std::uint64_t differing = (word_at(chain + t) ^ word_at(next + t)) & word_at(edges + t);
-    if (differing == 0) continue;
-    // Of coefficients 1, 0, -1 any two differ in one of the lowest two bits. The product brings
-    // each byte's lowest bit into the top byte.
-    const std::uint64_t set = ((differing | differing >> 1) & ones) * 0x0102040810204080u >> 56;
-    const Members& members = members_of[set];
-    for (std::size_t k = 0; k < word_size; ++k) {
-      boundary[found + k] = static_cast<Index>(t) + members.places[k];
-    }
-    found += members.count;
-  }
-  return {boundary, found};
-}
-
 std::span<const std::uint32_t> VolumeBuilder::boundary_of_edges() {
   // Bytes may alias anything; these do not.
   const std::int8_t* __restrict const chain = chain_.data();
@@ -254,8 +219,13 @@ std::span<const std::uint32_t> VolumeBuilder::boundary_of_edges() {
 template <bool quads>
 std::uint32_t* VolumeBuilder::append_sides(Index* out) {
   for (const Run& run : runs_) {
-    for (const Index t : boundary_of(run)) {
-      out = append_side<quads>(out, run.vertices[t], chain_[t] - chain_[t + run.stride]);
+    const std::int8_t *const chain = chain_.data(), *const next = chain + run.stride;
+    for (std::size_t first = 0; first < triangle_count(); first += differing_span) {
+      std::uint64_t found = differing(chain + first, next + first, &run.edges[first]);
+      for (; found != 0; found &= found - 1) {
+        const std::size_t t = first + static_cast<std::size_t>(std::countr_zero(found));
+        out = append_side<quads>(out, run.vertices[t], chain[t] - next[t]);
+      }
     }
   }
   for (const Index e : boundary_of_edges()) {
