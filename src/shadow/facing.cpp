@@ -14,8 +14,7 @@
 // since every sign that is near its bound is decided exactly.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SHADOWLAB_CLONES \
-  __attribute__((target_clones("arch=x86-64-v3", "default")))
+#define SHADOWLAB_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define SHADOWLAB_CLONES
 #endif
