@@ -29,5 +29,8 @@ void add_doctor(CLI::App& app, Answer& answer);
 void add_check(CLI::App& app, Answer& answer);
 void add_live(CLI::App& app, Answer& answer);
 void add_worker(CLI::App& app, Answer& answer);
+void add_grade(CLI::App& app, Answer& answer);
+void add_merge(CLI::App& app, Answer& answer);
+void add_pack(CLI::App& app, Answer& answer);
 
 }  // namespace shadowlab::cli

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/labs.h"
 #include "cli/session.h"
 #include "core/error.h"
 #include "core/version.h"
@@ -79,13 +80,15 @@ std::vector<Entry> scenes(gl::Graphics& graphics) {
 
 std::vector<Entry> labs() {
   std::vector<Entry> entries;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(home() / "labs", none)) {
-    if (fs::exists(entry.path() / "lab.lua", none))
-      entries.push_back({entry.path().filename().string(), {}});
+  for (const fs::path& folder : all_labs()) {
+    Entry entry{folder.filename().string(), {}};
+    try {
+      entry.title = lab::load_lab(folder).title;
+    } catch (const InputError& problem) {
+      entry.title = fmt::format("does not load: {}", problem.what());
+    }
+    entries.push_back(std::move(entry));
   }
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.name < b.name; });
   return entries;
 }
 
@@ -103,6 +106,8 @@ void list(const std::string& what) {
   print(recipes(graphics));
   fmt::print("\nScenes (--scene NAME):\n");
   print(scenes(graphics));
+  fmt::print("\nLabs (shadowlab grade NAME):\n");
+  print(labs());
 }
 
 }  // namespace

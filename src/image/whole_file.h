@@ -1,4 +1,4 @@
-// Files read and written in one go: internal to this floor.
+// Files read and written in one go.
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,8 @@ std::vector<Call> calls_of(const gl::Recorder& recorder) {
   calls.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     gl::TracedCall call = recorder.call(i);
-    calls.push_back({std::string(call.function), std::move(call.arguments), call.pass});
+    calls.push_back({std::string(call.function), std::move(call.arguments), call.pass,
+                     std::move(call.comment)});
   }
   return calls;
 }

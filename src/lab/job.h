@@ -52,6 +52,7 @@ struct Call {
   std::string function;                ///< "glStencilFunc"
   std::vector<std::string> arguments;  ///< "GL_ALWAYS", "1", "0xFF"
   int pass = -1;                       ///< index into passes, -1 outside of any
+  std::string comment = {};            ///< what it is about: the uniform's name, the mesh
 };
 
 /// What came of one shot.

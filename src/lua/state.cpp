@@ -34,6 +34,13 @@ int text_of_error(lua_State* L) {
   return 1;
 }
 
+int run_body(lua_State* L) {
+  const auto& body = *static_cast<const std::function<void(lua_State*)>*>(lua_touserdata(L, 1));
+  lua_settop(L, 0);
+  body(L);
+  return 0;
+}
+
 // The name as Lua's messages give it: the last characters of a long one.
 std::string short_name(const std::string& name) {
   if (name.size() <= longest_short_name) return name;
@@ -161,6 +168,12 @@ void State::call(int arguments, int results) {
   const int status = lua_pcall(lua_, arguments, results, function);
   lua_remove(lua_, function);
   if (status != LUA_OK) throw InputError(sentence_of_error(status));
+}
+
+void State::run(const std::function<void(lua_State*)>& body) {
+  lua_pushcfunction(lua_, guarded<run_body>);
+  lua_pushlightuserdata(lua_, const_cast<std::function<void(lua_State*)>*>(&body));
+  call(1, 0);
 }
 
 // The message handler of `call`: it runs where the error is, before anything is unwound, and inside

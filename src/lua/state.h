@@ -65,6 +65,10 @@ class State {
   /// script calls back with lua_call instead, so that the error keeps its first position.
   void call(int arguments, int results);
 
+  /// Runs `body` as a script is run, protected and budgeted, with an empty stack: for what of a
+  /// script's own may run within (metamethods of its tables), and for a lack of memory.
+  void run(const std::function<void(lua_State*)>& body);
+
   /// Sets what adds the place to errors; called while the failing function is still running.
   void set_place(Place place) { place_ = std::move(place); }
 

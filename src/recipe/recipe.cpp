@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/near_names.h"
 #include "core/version.h"
-#include "lua/guard.h"
 #include "lua/value.h"
 #include "recipe/planned_casters.h"
 
@@ -16,13 +15,6 @@ namespace shadowlab::recipe {
 namespace {
 
 constexpr std::size_t most_passes = 10'000;
-
-int run_body(lua_State* L) {
-  const auto& body = *static_cast<const std::function<void(lua_State*)>*>(lua_touserdata(L, 1));
-  lua_settop(L, 0);
-  body(L);
-  return 0;
-}
 
 double now() {
   using namespace std::chrono;
@@ -57,7 +49,7 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
   state_.on_file(options.on_file);
   state_.search_in({folder_of(file), home() / "scripts"});
   try {
-    inside_lua([&](lua_State* L) {
+    state_.run([&](lua_State* L) {
       lua::open_all(stage_);
       lua_getglobal(L, "scene");  // the script's own, once it has run
       lua_getfield(L, -1, "load");
@@ -74,15 +66,6 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
 }
 
 Recipe::~Recipe() { graphics_.forget(stage_.objects); }
-
-// Protected and budgeted as a script is, whatever of the script's own runs within: metamethods of
-// its tables, a lack of memory.
-void Recipe::inside_lua(const std::function<void(lua_State*)>& body) {
-  lua_State* L = state_.raw();
-  lua_pushcfunction(L, lua::guarded<run_body>);
-  lua_pushlightuserdata(L, const_cast<std::function<void(lua_State*)>*>(&body));
-  state_.call(1, 0);
-}
 
 void Recipe::load_scene(const std::optional<std::string>& override_name) {
   const std::string name = override_name.value_or(description_.scene);
@@ -152,7 +135,7 @@ void Recipe::set_model(std::string_view name, const glm::dmat4& model) {
 bool Recipe::holds() {
   bool holds = true;
   state_.restart_budget();
-  inside_lua([&](lua_State* L) {
+  state_.run([&](lua_State* L) {
     if (!push_function("holds")) return;
     push_context(0);
     lua_call(L, 1, 1);
@@ -188,7 +171,7 @@ bool Recipe::push_function(const char* name) {
 void Recipe::set_up() {
   const gl::Untraced untraced(graphics_.calls());  // a trace is of the frame
   state_.restart_budget();
-  inside_lua([&](lua_State* L) {
+  state_.run([&](lua_State* L) {
     if (!push_function("setup")) return;
     push_context(0);
     lua_call(L, 1, 0);
@@ -211,7 +194,7 @@ void Recipe::draw(double time) {
   const gl::Work before = graphics_.calls().work;
   std::optional<PlannedCasters> planned;
   if (casters_ == Options::Casters::planned && scene_) planned.emplace(stage_, *scene_, light());
-  inside_lua([&](lua_State* L) {
+  state_.run([&](lua_State* L) {
     push_function("draw");
     push_context(time);
     lua_call(L, 1, 0);

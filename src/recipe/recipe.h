@@ -122,7 +122,6 @@ class Recipe : private lua::PassListener {
   void set_up();
   void push_context(double time);
   bool push_function(const char* name);
-  void inside_lua(const std::function<void(lua_State*)>& body);
 
   gl::Graphics& graphics_;
   std::filesystem::path file_;

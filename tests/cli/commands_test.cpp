@@ -131,7 +131,6 @@ TEST_F(Cli, new_writes_a_recipe_that_runs_and_overwrites_none) {
   EXPECT_EQ(text_of(folder / "my_shadow.lua"), text);
   expect_sentence(run("new recipe 'a\"b'"), 2, "is no name");
   expect_sentence(run("new recipe nowhere/x"), 2, "there is no folder nowhere");
-  expect_sentence(run("new lab x"), 2, "labs are not there yet");
 }
 
 TEST_F(Cli, the_reference_names_everything_that_a_recipe_sees) {

@@ -1,0 +1,198 @@
+#include "lab/grade.h"
+
+#include <chrono>
+
+#include "core/error.h"
+#include "lab/digest.h"
+#include "lab/grade_pictures.h"
+
+namespace shadowlab::lab {
+namespace {
+
+constexpr std::size_t most_printed = 2000;  // bytes that a report shows
+
+double now() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+void replace_all(std::string& text, const std::string& old, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+    text.replace(at, old.size(), by);
+}
+
+std::vector<std::string> settings_of(const Shot& shot) {
+  std::vector<std::string> settings;
+  for (const auto& [name, value] : shot.settings) settings.push_back(name + "=" + value);
+  return settings;
+}
+
+// One submission on its way to its result.
+class Grading {
+ public:
+  Grading(const Lab& lab, const Reference& reference, const Submission& submission,
+          const GradeOptions& options)
+      : lab_(lab), reference_(reference), options_(options) {
+    result_.submission = submission.name;
+    result_.file = submission.file.filename().string();
+    result_.lab = lab.name;
+    result_.title = lab.title;
+    result_.most = lab.points;
+    for (const Case& a_case : lab.cases) {
+      CaseResult one;
+      one.name = a_case.name;
+      one.most = a_case.points;
+      one.hidden = a_case.hidden;
+      if (!a_case.hidden || options.hidden == Hidden::shown)
+        one.settings = settings_of(a_case.shot);
+      one.says = {std::string(text(options.language, Say::not_drawn))};
+      result_.cases.push_back(std::move(one));
+    }
+  }
+
+  Result run(const Submission& submission, const DrawSubmission& draw) {
+    const double began = now();
+    try {
+      const Staged staged(submission);
+      result_.digest = staged.digest();
+      if (!submission.problem.empty()) throw InputError(submission.problem);
+      draw_all(staged, draw);
+      explain();
+    } catch (const InputError& problem) {
+      result_.verdict = "recipe error";
+      result_.error = problem.what();
+      for (CaseResult& one : result_.cases)
+        one.says = {say(options_.language, Say::recipe_fails, result_.error)};
+    }
+    result_.seconds = now() - began;
+    return std::move(result_);
+  }
+
+ private:
+  void draw_all(const Staged& staged, const DrawSubmission& draw) {
+    Job job;
+    job.recipe = staged.recipe();
+    job.width = lab_.width;
+    job.height = lab_.height;
+    job.passes = true;
+    for (const Case& a_case : lab_.cases) job.shots.push_back(a_case.shot);
+    const std::string folder = staged.folder().string() + "/";
+    result_.trace = empty_digest;
+    const Drawn drawn = draw(job, [&](std::size_t i, Drawing drawing) {
+      if (i != drawings_.size() || i >= lab_.cases.size()) return;  // never trusted
+      if (drawing.error) replace_all(*drawing.error, folder, "");
+      take(i, drawing);
+      drawings_.push_back(std::move(drawing));
+      if (options_.after_case) options_.after_case(result_);
+    });
+    result_.verdict = drawn.verdict;
+    result_.layers = drawn.layers;
+    std::string sentence = drawn.sentence;
+    replace_all(sentence, folder, "");
+    if (result_.error.empty()) result_.error = sentence;
+    if (drawings_.size() < lab_.cases.size() && !sentence.empty()) {
+      result_.cases[drawings_.size()].says = {say(options_.language, Say::recipe_fails, sentence)};
+    }
+  }
+
+  void take(std::size_t i, const Drawing& drawing) {
+    CaseResult& one = result_.cases[i];
+    one.milliseconds = drawing.milliseconds;
+    one.says.clear();
+    result_.trace = digest_of(drawing.calls, result_.trace);
+    if (result_.printed.size() < most_printed)
+      result_.printed += drawing.printed.substr(0, most_printed - result_.printed.size());
+    if (drawing.error) {
+      if (result_.error.empty()) result_.error = *drawing.error;
+      one.says = {say(options_.language, Say::recipe_fails, *drawing.error)};
+      return;
+    }
+    const CaseVerdict verdict = verdict_of(lab_.cases[i], reference_.cases[i], drawing);
+    one.compared = verdict.compared;
+    one.differing = verdict.judgement.differing;
+    one.forgiven = verdict.judgement.forgiven;
+    one.budget = verdict.judgement.budget;
+    one.status = verdict.right() ? Status::passed : Status::failed;
+    if (verdict.right()) {
+      one.points = one.most;
+      result_.score += one.most;
+      one.says = {std::string(text(options_.language, Say::right))};
+      return;
+    }
+    const auto wrong = one.differing - one.forgiven;
+    if (verdict.pass_missing) {
+      one.says = {say(options_.language, Say::pass_missing, verdict.pass)};
+    } else {
+      const Say what = verdict.compared == "stencil" ? Say::stencil_differs
+                       : verdict.compared == "depth" ? Say::depth_differs
+                                                     : Say::picture_differs;
+      one.says = {say(options_.language, what, wrong, one.budget, verdict.pass)};
+    }
+  }
+
+  // Once all is drawn: a mistake is known by all of its pictures.
+  void explain() {
+    if (result_.passed()) return;
+    const auto mistake = matching_mistake(lab_, reference_, drawings_);
+    bool shown = false;  // one case is shown pass by pass: the others would say the same
+    for (std::size_t i = 0; i < drawings_.size(); ++i) {
+      CaseResult& one = result_.cases[i];
+      if (one.status == Status::passed) continue;
+      if (one.status == Status::failed) explain(i, mistake);
+      const bool told = !one.hidden || options_.hidden == Hidden::shown;
+      if (!told) {
+        one.says.resize(1);
+        one.says.emplace_back(text(options_.language, Say::hidden_case));
+        if (one.finding) one.finding = without_hints(*one.finding);
+      } else if (!options_.pictures.empty()) {
+        write_case_pictures(one, i, reference_.cases[i], drawings_[i], options_.pictures,
+                            shown ? Passes::left_out : Passes::written);
+        shown = true;
+      }
+    }
+  }
+
+  void explain(std::size_t i, std::optional<std::size_t> mistake) {
+    CaseResult& one = result_.cases[i];
+    Diagnosis diagnosis = diagnose(reference_.cases[i], drawings_[i], options_.language);
+    one.finding = diagnosis.finding;
+    if (mistake) {
+      const Mistake& known = lab_.mistakes[*mistake];
+      const auto hint = known.hints.find(std::string(code_of(options_.language)));
+      one.finding->mistake = known.name;
+      one.finding->hint = hint == known.hints.end() ? known.hints.at("en") : hint->second;
+      one.says.push_back(one.finding->hint);
+    }
+    one.says.insert(one.says.end(), diagnosis.says.begin(), diagnosis.says.end());
+  }
+
+  // Of a hidden case the instructor is told the mistake, and a student's report nothing.
+  static Finding without_hints(Finding finding) {
+    finding.state.clear();
+    finding.hint.clear();
+    return finding;
+  }
+
+  const Lab& lab_;
+  const Reference& reference_;
+  const GradeOptions& options_;
+  Result result_;
+  std::vector<Drawing> drawings_;
+};
+
+}  // namespace
+
+Result grade(const Lab& lab, const Reference& reference, const Submission& submission,
+             const DrawSubmission& draw, const GradeOptions& options) {
+  return Grading(lab, reference, submission, options).run(submission, draw);
+}
+
+std::uint64_t digest_of(const Submission& submission) {
+  try {
+    return Staged(submission).digest();
+  } catch (const InputError&) {  // too much, or not readable: graded anew, to the same sentence
+    return 0;
+  }
+}
+
+}  // namespace shadowlab::lab
