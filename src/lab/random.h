@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <random>
 
-#include <lua.hpp>
-
 #include "lua/state.h"
 
 namespace shadowlab::lab {
