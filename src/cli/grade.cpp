@@ -12,6 +12,7 @@
 #include "lab/formats.h"
 #include "lab/grade.h"
 #include "lab/run.h"
+#include "lab/worker.h"
 
 namespace shadowlab::cli {
 namespace {
@@ -51,10 +52,13 @@ class Command {
   Answer run() {
     gl::Graphics graphics(context::create(), lab_.width, lab_.height);
     const lab::Reference reference = lab::draw_reference(graphics, lab_);
-    // A worker of one's own for each submission is not there yet: they are drawn one by one here.
+    lab::Worker worker(isolation());
+    if (const auto missing = lab::names_of(worker.layers(), false); !missing.empty())
+      fmt::print(stderr, "Submissions are isolated without {}: this machine has none.\n", missing);
     const lab::DrawSubmission draw = [&](const lab::Job& job, const auto& each) {
-      lab::draw(graphics, job, each);
-      return lab::Drawn{};
+      const lab::Outcome outcome = worker.draw(job, each);
+      return lab::Drawn{std::string(lab::name_of(outcome.verdict)), outcome.sentence,
+                        lab::names_of(outcome.layers)};
     };
     const auto results = lab::run(lab_, reference, submissions_, draw, run_options());
     finish(results);
@@ -64,10 +68,20 @@ class Command {
   }
 
  private:
+  lab::Isolation isolation() const {
+    lab::Isolation isolation;
+    isolation.warm = {lab_.start()};  // students have it already
+    isolation.width = lab_.width;
+    isolation.height = lab_.height;
+    return isolation;
+  }
+
   lab::RunOptions run_options() {
     lab::RunOptions run;
     run.out = options_.out;
-    run.jobs = 1;
+    run.jobs = options_.jobs > 0
+                   ? options_.jobs
+                   : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     if (!options_.shard.empty()) {
       run.shard = lab::shard_from(options_.shard);
     } else if (const auto shard = lab::shard_from_environment()) {

@@ -138,19 +138,6 @@ std::string value_of_state(Language language, const std::optional<Setting>& sett
   return in_words(*setting);
 }
 
-void say_state(Diagnosis& diagnosis, const Drawing& reference, const Drawing& drawing,
-               Language language) {
-  const auto mine = works_of(drawing.calls), theirs = works_of(reference.calls);
-  const auto found = differences(mine, diagnosis.yours, theirs, diagnosis.theirs);
-  if (found.empty()) return;
-  diagnosis.state = found.front();
-  diagnosis.finding.state =
-      say(language, Say::state_differs, diagnosis.finding.pass,
-          name_of_state(language, found.front().key), value_of_state(language, found.front().yours),
-          value_of_state(language, found.front().theirs));
-  diagnosis.says.push_back(diagnosis.finding.state);
-}
-
 void locate(Diagnosis& diagnosis, const Departure& found, const ReferenceCase& reference,
             Language language) {
   const image::Image& picture = reference.drawing().frame.color;
@@ -220,6 +207,11 @@ std::optional<std::size_t> matching_mistake(const Lab& lab, const Reference& ref
   return best;
 }
 
+std::string say_state(const StateDifference& state, const std::string& pass, Language language) {
+  return say(language, Say::state_differs, pass, name_of_state(language, state.key),
+             value_of_state(language, state.yours), value_of_state(language, state.theirs));
+}
+
 Diagnosis diagnose(const ReferenceCase& reference, const Drawing& drawing, Language language) {
   const Drawing& theirs = reference.drawing();
   Diagnosis diagnosis;
@@ -239,7 +231,8 @@ Diagnosis diagnose(const ReferenceCase& reference, const Drawing& drawing, Langu
       diagnosis.finding.pass = pass.pass;
       diagnosis.finding.pass_number = mine + 1;
       locate(diagnosis, *found, reference, language);
-      say_state(diagnosis, theirs, drawing, language);
+      diagnosis.states = differences(works_of(drawing.calls), diagnosis.yours,
+                                     works_of(theirs.calls), diagnosis.theirs);
       return diagnosis;
     }
   }

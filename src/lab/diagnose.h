@@ -36,11 +36,14 @@ std::optional<std::size_t> matching_mistake(const Lab& lab, const Reference& ref
 struct Diagnosis {
   Finding finding;
   std::vector<std::string> says;
-  /// The state that `says` names, for a counterfactual; and the passes, of the submission's and of
-  /// the reference's.
-  std::optional<StateDifference> state;
+  /// What is set differently in that pass, the likeliest first; and the pass's index in the
+  /// submission's drawing and in the reference's.
+  std::vector<StateDifference> states;
   int yours = -1, theirs = -1;
 };
 Diagnosis diagnose(const ReferenceCase& reference, const Drawing& drawing, Language language);
+
+/// "The pass "2. the shadow" draws with stencil function ALWAYS 1 … where the reference has …".
+std::string say_state(const StateDifference& state, const std::string& pass, Language language);
 
 }  // namespace shadowlab::lab

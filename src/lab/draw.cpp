@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "gl/recorder.h"
+#include "gl/replay.h"
 #include "lab/job.h"
 #include "recipe/recipe.h"
 
@@ -34,18 +35,32 @@ std::vector<Call> calls_of(const gl::Recorder& recorder) {
   return calls;
 }
 
-// Traces what `graphics` is asked for, while it lives.
-class Traced {
+// Traces what `graphics` is asked for, while it lives, and puts the changes in their places.
+class Traced : private gl::DrawObserver {
  public:
-  Traced(gl::Graphics& graphics, gl::Recorder& recorder) : graphics_(graphics) {
-    graphics_.trace_into(&recorder);
+  Traced(gl::Graphics& graphics, gl::Recorder& recorder, std::span<const Change> changes)
+      : graphics_(graphics), recorder_(recorder), changes_(changes) {
+    graphics_.trace_into(&recorder_);
+    if (!changes.empty()) graphics_.calls().draws = this;
   }
-  ~Traced() { graphics_.trace_into(nullptr); }
+  ~Traced() override {
+    graphics_.trace_into(nullptr);
+    graphics_.calls().draws = nullptr;
+  }
   Traced(const Traced&) = delete;
   Traced& operator=(const Traced&) = delete;
 
  private:
+  void before_draw(const std::function<void()>&) override {
+    if (!graphics_.recorder()) return;  // the core's own, in no trace
+    for (; !changes_.empty() && changes_.front().call <= recorder_.size();
+         changes_ = changes_.subspan(1))
+      gl::replay(graphics_.gl, changes_.front().function, changes_.front().arguments);
+  }
+
   gl::Graphics& graphics_;
+  gl::Recorder& recorder_;
+  std::span<const Change> changes_;
 };
 
 recipe::Options options_of(const Job& job, const Shot& shot, std::string& printed) {
@@ -63,8 +78,8 @@ void draw_into(Drawing& drawing, gl::Graphics& graphics, const Job& job, const S
   if (shot.camera) recipe.set_camera(*shot.camera);
   gl::Recorder recorder;
   std::optional<Traced> traced;
+  if (job.passes || !shot.changes.empty()) traced.emplace(graphics, recorder, shot.changes);
   if (job.passes) {
-    traced.emplace(graphics, recorder);
     recipe.on_pass_end([&](std::size_t pass) {
       if (drawing.passes.size() < most_passes)
         drawing.passes.push_back(read(graphics.frame, recipe.passes()[pass].name));

@@ -9,6 +9,7 @@
 namespace shadowlab::lab {
 namespace {
 
+constexpr std::size_t most_tried = 6;       // states that are replaced, one after the other
 constexpr std::size_t most_printed = 2000;  // bytes that a report shows
 
 double now() {
@@ -57,7 +58,7 @@ class Grading {
       result_.digest = staged.digest();
       if (!submission.problem.empty()) throw InputError(submission.problem);
       draw_all(staged, draw);
-      explain();
+      explain(staged, draw);
     } catch (const InputError& problem) {
       result_.verdict = "recipe error";
       result_.error = problem.what();
@@ -70,12 +71,9 @@ class Grading {
 
  private:
   void draw_all(const Staged& staged, const DrawSubmission& draw) {
-    Job job;
-    job.recipe = staged.recipe();
-    job.width = lab_.width;
-    job.height = lab_.height;
-    job.passes = true;
-    for (const Case& a_case : lab_.cases) job.shots.push_back(a_case.shot);
+    std::vector<Shot> shots;
+    for (const Case& a_case : lab_.cases) shots.push_back(a_case.shot);
+    const Job job = job_of(staged, std::move(shots));
     const std::string folder = staged.folder().string() + "/";
     result_.trace = empty_digest;
     const Drawn drawn = draw(job, [&](std::size_t i, Drawing drawing) {
@@ -131,14 +129,19 @@ class Grading {
   }
 
   // Once all is drawn: a mistake is known by all of its pictures.
-  void explain() {
+  void explain(const Staged& staged, const DrawSubmission& draw) {
     if (result_.passed()) return;
     const auto mistake = matching_mistake(lab_, reference_, drawings_);
     bool shown = false;  // one case is shown pass by pass: the others would say the same
+    bool tried = mistake.has_value();  // and in one other states are tried
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       CaseResult& one = result_.cases[i];
       if (one.status == Status::passed) continue;
-      if (one.status == Status::failed) explain(i, mistake);
+      if (one.status == Status::failed) {
+        const Diagnosis diagnosis = explain(i, mistake);
+        if (!tried) say_state_of(one, i, diagnosis, staged, draw);
+        tried = true;
+      }
       const bool told = !one.hidden || options_.hidden == Hidden::shown;
       if (!told) {
         one.says.resize(1);
@@ -152,7 +155,7 @@ class Grading {
     }
   }
 
-  void explain(std::size_t i, std::optional<std::size_t> mistake) {
+  Diagnosis explain(std::size_t i, std::optional<std::size_t> mistake) {
     CaseResult& one = result_.cases[i];
     Diagnosis diagnosis = diagnose(reference_.cases[i], drawings_[i], options_.language);
     one.finding = diagnosis.finding;
@@ -164,6 +167,50 @@ class Grading {
       one.says.push_back(one.finding->hint);
     }
     one.says.insert(one.says.end(), diagnosis.says.begin(), diagnosis.says.end());
+    return diagnosis;
+  }
+
+  // Of the states that differ, the one without which the picture would be right; where there is
+  // none, the first.
+  void say_state_of(CaseResult& one, std::size_t i, const Diagnosis& diagnosis,
+                    const Staged& staged, const DrawSubmission& draw) {
+    if (diagnosis.states.empty()) return;
+    Job job = job_of(staged, {});
+    const auto mine = works_of(drawings_[i].calls),
+               theirs = works_of(reference_.cases[i].drawing().calls);
+    std::vector<std::size_t> tried;
+    for (std::size_t s = 0; s < diagnosis.states.size() && tried.size() < most_tried; ++s) {
+      Shot shot = lab_.cases[i].shot;
+      shot.changes =
+          changes_to(diagnosis.states[s], mine, diagnosis.yours, theirs, diagnosis.theirs);
+      if (shot.changes.empty()) continue;
+      job.shots.push_back(std::move(shot));
+      tried.push_back(s);
+    }
+    std::optional<std::size_t> mending;
+    if (!tried.empty()) {
+      draw(job, [&](std::size_t shot, Drawing drawing) {
+        const bool right = shot < tried.size() && !drawing.error &&
+                           verdict_of(lab_.cases[i], reference_.cases[i], drawing).right();
+        if (right && !mending) mending = tried[shot];
+      });
+    }
+    const StateDifference& state = diagnosis.states[mending.value_or(0)];
+    one.finding->state = say_state(state, one.finding->pass, options_.language);
+    one.finding->mended = mending.has_value();
+    one.says.push_back(one.finding->state);
+    if (!tried.empty())
+      one.says.emplace_back(text(options_.language, mending ? Say::mended : Say::not_mended));
+  }
+
+  Job job_of(const Staged& staged, std::vector<Shot> shots) const {
+    Job job;
+    job.recipe = staged.recipe();
+    job.width = lab_.width;
+    job.height = lab_.height;
+    job.passes = true;
+    job.shots = std::move(shots);
+    return job;
   }
 
   // Of a hidden case the instructor is told the mistake, and a student's report nothing.

@@ -19,12 +19,20 @@
 
 namespace shadowlab::lab {
 
+/// A setting of state that is put before a draw, to see what would become of the picture.
+struct Change {
+  std::size_t call = 0;  ///< the draw's index in the trace of the frame without changes
+  std::string function;  ///< as Call has them
+  std::vector<std::string> arguments;
+};
+
 /// One picture that is asked for.
 struct Shot {
   std::optional<std::string> scene = std::nullopt;  ///< in place of the recipe's own
   std::vector<std::pair<std::string, std::string>> settings =
       {};                                              ///< parameters, as --set takes them
   std::optional<scene::Camera> camera = std::nullopt;  ///< in place of the scene's
+  std::vector<Change> changes = {};                    ///< in the order of their calls
 };
 
 /// The first passes and calls of a frame are kept, and no more: neither a lab nor a student has so

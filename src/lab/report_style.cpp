@@ -18,7 +18,7 @@ h1 { font-size: 1.5rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; } h4 { 
 .points { font-weight: normal; opacity: .75; } .error { color: var(--bad); }
 .tag { font-size: .8rem; border: 1px solid var(--line); border-radius: 1rem; padding: 0 .6rem; }
 .compared { margin: .5rem 0; display: inline-block; }
-.stack { position: relative; background: #000; } .stack img { display: block; max-width: 100%; }
+.stack { position: relative; width: fit-content; background: #000; } .stack img { display: block; max-width: 100%; }
 .stack img + img { position: absolute; inset: 0; }
 img { image-rendering: pixelated; }
 label { display: flex; gap: .6rem; align-items: center; } input[type=range] { flex: 1; }

@@ -112,6 +112,18 @@ std::vector<const Work*> of_pass(std::span<const Work> all, int pass) {
   return found;
 }
 
+// The call that sets it.
+Change change_of(std::size_t call, const std::string& key, const Setting& setting) {
+  const auto bracket = key.find('(');
+  if (bracket == std::string::npos) return {call, key, setting.values};
+  const std::string first = key.substr(bracket + 1, key.size() - bracket - 2);
+  if (key.starts_with("glEnable("))
+    return {call, setting.values.front() == "on" ? "glEnable" : "glDisable", {first}};
+  Change change{call, key.substr(0, bracket), {first}};
+  change.arguments.insert(change.arguments.end(), setting.values.begin(), setting.values.end());
+  return change;
+}
+
 }  // namespace
 
 std::vector<Work> works_of(std::span<const Call> calls) {
@@ -136,6 +148,27 @@ std::vector<StateDifference> differences(std::span<const Work> your_works, int y
       add_differences(mine[i]->state, others[i]->state, uniforms, found);
   }
   return found;
+}
+
+std::vector<Change> changes_to(const StateDifference& difference, std::span<const Work> your_works,
+                               int yours, std::span<const Work> their_works, int theirs) {
+  const auto mine = of_pass(your_works, yours), others = of_pass(their_works, theirs);
+  if (mine.empty() || others.empty() || difference.key.starts_with("uniform ")) return {};
+  std::vector<Change> changes;
+  const auto add = [&](std::size_t call, const std::optional<Setting>& setting) {
+    if (setting) changes.push_back(change_of(call, difference.key, *setting));
+    return setting.has_value();
+  };
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    const Work& other = *others[std::min(i, others.size() - 1)];
+    if (!add(mine[i]->call, value(other.state, difference.key))) return {};
+  }
+  for (const Work& after : your_works) {
+    if (after.call <= mine.back()->call) continue;
+    if (!add(after.call, value(after.state, difference.key))) return {};
+    break;
+  }
+  return changes;
 }
 
 std::string in_words(const Setting& setting) {

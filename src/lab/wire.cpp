@@ -121,6 +121,13 @@ void put_shot(Writer& to, const Shot& shot) {
     to.put(name);
     to.put(value);
   }
+  to.put_size(shot.changes.size());
+  for (const Change& change : shot.changes) {
+    to.put_size(change.call);
+    to.put(change.function);
+    to.put_size(change.arguments.size());
+    for (const std::string& argument : change.arguments) to.put(argument);
+  }
   to.put(static_cast<std::uint8_t>(shot.camera.has_value()));
   if (!shot.camera) return;
   put_point(to, shot.camera->eye);
@@ -138,6 +145,15 @@ Shot get_shot(Reader& from) {
   for (std::size_t i = 0; i < settings; ++i) {
     std::string name = from.text();
     shot.settings.emplace_back(std::move(name), from.text());
+  }
+  const std::size_t changes = from.count_of(24);
+  for (std::size_t i = 0; i < changes; ++i) {
+    Change change;
+    change.call = from.get<std::uint64_t>();
+    change.function = from.text();
+    const std::size_t arguments = from.count_of(8);
+    for (std::size_t k = 0; k < arguments; ++k) change.arguments.push_back(from.text());
+    shot.changes.push_back(std::move(change));
   }
   if (!from.flag()) return shot;
   scene::Camera camera;
@@ -201,6 +217,7 @@ Call get_call(Reader& from) {
   for (std::size_t i = 0; i < arguments; ++i) call.arguments.push_back(plain(from.text()));
   call.pass = from.get<std::int32_t>();
   if (call.pass < -1) throw Garbled("a call belongs to no pass that could be");
+  call.comment = plain(from.text());
   return call;
 }
 
@@ -265,6 +282,7 @@ Bytes message_of(std::size_t shot, const Drawing& drawing) {
     to.put_size(call.arguments.size());
     for (const std::string& argument : call.arguments) to.put(argument);
     to.put(static_cast<std::int32_t>(call.pass));
+    to.put(call.comment);
   }
   to.put(drawing.printed);
   to.put(drawing.milliseconds);

@@ -1,6 +1,8 @@
 // shadowlab grade, merge, pack: marks, files, and what is left of a run that was stopped.
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -65,6 +67,34 @@ TEST_F(GradeCli, a_known_mistake_is_told_by_its_hint_in_the_language_asked_for) 
   EXPECT_THAT(run("grade lab wrong.lua").out, HasSubstr("The colour is inverted."));
   EXPECT_THAT(run("grade lab wrong.lua -o fr --lang fr").out,
               HasSubstr("La couleur est inversée."));
+}
+
+// The state that is named is the one without which the picture is right.
+TEST_F(GradeCli, a_state_is_told_with_what_would_mend_the_picture) {
+  const auto drawing = [](const std::string& mask) {
+    return "local recipe = { params = { red = param.number(1, 0, 1) } }\n"
+           "function recipe.setup(r) r.flat = shader.load 'flat' end\n"
+           "function recipe.draw(r)\n"
+           "  pass('1. a quad', function()\n"
+           "    gl.Disable(gl.CULL_FACE)\n"
+           "    gl.DepthFunc(gl.LEQUAL)\n"
+           "    gl.ColorMask(true, " +
+           mask +
+           ", true, true)\n"
+           "    local one = mat4.identity()\n"
+           "    mesh.quad():draw(r.flat, { view = one, projection = one, color = "
+           "vec3(r.params.red) })\n"
+           "  end)\n"
+           "end\n"
+           "return recipe\n";
+  };
+  write("lab/solution.lua", drawing("true"));
+  write("lab/mistakes/inverted.lua", "-- hint: The mask.\n" + painting("0.9"));
+  write("wrong.lua", drawing("false"));
+  run("grade lab wrong.lua");
+  const json finding = result("wrong")["cases"][0]["finding"];
+  EXPECT_THAT(finding["state"].dump(), HasSubstr("colour mask TRUE FALSE TRUE TRUE")) << finding;
+  EXPECT_EQ(finding["mended"], true);
 }
 
 TEST_F(GradeCli, another_state_is_told_in_words) {
@@ -159,6 +189,47 @@ TEST_F(GradeCli, a_run_is_taken_up_where_it_was_left) {
   write("in/ada.lua", painting("0.25"));
   run("grade lab in");
   EXPECT_EQ(result("ada")["score"], 1) << "what is handed in anew is graded anew";
+}
+
+// Killed at any moment and started again: the same results, none lost, none twice. SHADOWLAB_KILLS
+// says how often.
+TEST_F(GradeCli, a_run_that_is_killed_again_and_again_ends_as_one_that_is_not) {
+  for (int i = 0; i < 12; ++i)
+    write(fmt::format("in/s{}.lua", i), painting(i % 3 == 0 ? "0.25" : "r.params.red"));
+  run("grade lab in -o whole --jobs 2");
+  const char* given = std::getenv("SHADOWLAB_KILLS");
+  const int kills = given ? std::atoi(given) : 8;
+  std::uint32_t word = 1;
+  for (int i = 0; i < kills; ++i) {
+    word = word * 1664525u + 1013904223u;
+    const double after = 0.03 + 0.5 * (word >> 8) / double(1 << 24);
+    run("grade lab in -o killed --jobs 2", fmt::format("timeout -s KILL {:.3f}", after));
+    if (i % 8 == 7) fs::remove_all(folder / "killed/submissions/s3");
+  }
+  EXPECT_EQ(run("grade lab in -o killed --jobs 2").code, 1);
+  EXPECT_EQ(text_of(folder / "killed/scores.csv"), text_of(folder / "whole/scores.csv"));
+  int results = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "killed")) {
+    results += entry.path().filename() == "result.json";
+    EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+  }
+  EXPECT_EQ(results, 12);
+}
+
+TEST_F(GradeCli, a_report_shows_its_pictures_in_a_browser) {
+  if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "there is no chromium";
+  write("wrong.lua", painting("0.75"));
+  run("grade lab wrong.lua");
+  const std::string command =
+      "cd '" + folder.string() +
+      "' && HOME=. timeout 60 chromium --headless --no-sandbox --disable-gpu "
+      "--dump-dom \"file://$PWD/graded/submissions/wrong/report.html\" "
+      ">.dom 2>/dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string dom = text_of(folder / ".dom");
+  // The script has run: half of the slider's way shows yours, and nothing of the difference.
+  EXPECT_THAT(dom, HasSubstr("class=\"difference\""));
+  EXPECT_THAT(dom, HasSubstr("clip-path: inset(0px 100% 0px 0px)"));
 }
 
 TEST_F(GradeCli, a_folder_of_another_run_is_refused) {

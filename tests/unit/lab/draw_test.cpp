@@ -70,6 +70,25 @@ TEST_F(LabTest, a_camera_takes_the_place_of_the_scenes) {
   EXPECT_EQ(drawings[0].frame.color.at(0, 0), red);
 }
 
+TEST_F(LabTest, a_change_holds_for_the_draws_from_its_place_on) {
+  const TextFile file(recipe_text(
+      "local s = shader.compile { vertex = [[in vec3 position; void main() { gl_Position "
+      "= vec4(position, 1); }]], fragment = [[out vec4 color; void main() { color = "
+      "vec4(1); }]] } local quad = mesh.quad() gl.ColorMask(false, false, true, true) "
+      "quad:draw(s) gl.ColorMask(false, true, false, true) quad:draw(s)"));
+  Job job = one_shot(file.path());
+  job.passes = true;
+  const Drawing before = draw_all(job).at(0);
+  ASSERT_FALSE(before.error) << *before.error;
+  EXPECT_EQ(before.frame.color.at(16, 16), (std::array<std::uint8_t, 4>{0, 255, 255, 255}));
+  std::size_t first = 0;
+  while (!before.calls[first].function.starts_with("glDraw")) ++first;
+  job.shots[0].changes = {{first, "glColorMask", {"GL_TRUE", "GL_FALSE", "GL_FALSE", "GL_TRUE"}}};
+  const Drawing changed = draw_all(job).at(0);
+  EXPECT_EQ(changed.frame.color.at(16, 16), (std::array<std::uint8_t, 4>{255, 255, 0, 255}));
+  EXPECT_EQ(changed.calls.size(), before.calls.size()) << "changes leave no trace";
+}
+
 TEST_F(LabTest, passes_without_end_are_not_all_kept) {
   const TextFile file(recipe_text("for i = 1, 200 do pass('p', function() end) end"));
   const auto drawing = draw_one(file.path());
