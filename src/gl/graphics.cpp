@@ -71,6 +71,13 @@ void Graphics::delete_when_unused(GLuint program) {
   }
 }
 
+void Graphics::resize(int width, int height) {
+  begin_frame();
+  frame.resize(width, height);
+  begin_frame();
+  clear_buffers();
+}
+
 void Graphics::clear_buffers() {
   const Untraced untraced(calls_);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

@@ -52,6 +52,10 @@ class Graphics {
   /// Deletes the program now, or at the next frame's begin where it is in use.
   void delete_when_unused(GLuint program);
 
+  /// A main frame of another size, cleared. What recipes made for the size before is theirs to
+  /// make anew: between frames, for a recipe that is set up afterwards.
+  void resize(int width, int height);
+
   /// The main frame and the accumulation buffer as in a new context: nothing is left of what
   /// another recipe drew. Called at a frame's begin.
   void clear_buffers();

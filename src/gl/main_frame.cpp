@@ -50,6 +50,19 @@ MainFrame::MainFrame(const Functions& gl, CallContext& context, int width, int h
   context_.main_frame = frame_;
 }
 
+void MainFrame::resize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  const auto allocate = [&](GLuint texture_name, GLenum internal, GLenum format, GLenum type) {
+    gl_.BindTexture.unrecorded(GL_TEXTURE_2D, texture_name);
+    gl_.TexImage2D.unrecorded(GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, {});
+  };
+  allocate(color_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+  allocate(depth_stencil_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
+  gl_.BindTexture.unrecorded(GL_TEXTURE_2D, 0);
+  width_ = width;
+  height_ = height;
+}
+
 MainFrame::~MainFrame() {
   gl_.DeleteFramebuffers.unrecorded(2, std::array<GLuint, 2>{frame_, reader_});
   gl_.DeleteTextures.unrecorded(2, std::array<GLuint, 2>{color_, depth_stencil_});

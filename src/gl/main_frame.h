@@ -20,6 +20,9 @@ class MainFrame {
   MainFrame(const MainFrame&) = delete;
   MainFrame& operator=(const MainFrame&) = delete;
 
+  /// Another size, with nothing in it; the framebuffer keeps its name.
+  void resize(int width, int height);
+
   int width() const { return width_; }
   int height() const { return height_; }
   GLuint color() const { return color_; }                  ///< RGBA8 texture

@@ -201,4 +201,9 @@ std::shared_ptr<Program> ProgramCache::get(const ProgramSource& source) {
   return found->second;
 }
 
+void ProgramCache::trim(std::size_t most) {
+  if (programs_.size() <= most) return;
+  std::erase_if(programs_, [](const auto& known) { return known.second.use_count() == 1; });
+}
+
 }  // namespace shadowlab::gl

@@ -110,6 +110,8 @@ class ProgramCache {
   explicit ProgramCache(const Functions& gl) : gl_(gl) {}
   std::shared_ptr<Program> get(const ProgramSource& source);
   std::size_t size() const { return programs_.size(); }
+  /// Where there are more than `most`, those that nobody holds go.
+  void trim(std::size_t most);
 
  private:
   const Functions& gl_;

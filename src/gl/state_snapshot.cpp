@@ -48,17 +48,17 @@ const char* c_bool(GLboolean value) { return value ? "GL_TRUE" : "GL_FALSE"; }
 using Face = StateSnapshot::StencilFace;
 
 void add_stencil(std::vector<std::string>& lines, const std::array<Face, 2>& faces) {
-  const auto func = [](const Face& f) {
+  // The stencil has 8 bits; of a mask with all 32 GL tells a signed number's most.
+  const auto bits = [](GLint mask) { return static_cast<GLuint>(mask) & 0xFFu; };
+  const auto func = [&](const Face& f) {
     return fmt::format("{}, {}, 0x{:02X}", name<CompareFunction>(f.func), f.ref,
-                       static_cast<GLuint>(f.value_mask));
+                       bits(f.value_mask));
   };
   const auto op = [](const Face& f) {
     return fmt::format("{}, {}, {}", name<StencilAction>(f.fail), name<StencilAction>(f.depth_fail),
                        name<StencilAction>(f.depth_pass));
   };
-  const auto mask = [](const Face& f) {
-    return fmt::format("0x{:02X}", static_cast<GLuint>(f.write_mask));
-  };
+  const auto mask = [&](const Face& f) { return fmt::format("0x{:02X}", bits(f.write_mask)); };
   // Two lines a function: one call for both faces, or one for each.
   const auto add = [&](const char* function, const auto& arguments) {
     const std::string front = arguments(faces[0]), back = arguments(faces[1]);

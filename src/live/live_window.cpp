@@ -1,11 +1,19 @@
 #include "live/live_window.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 
-#include "live/interface.h"
+#include "core/error.h"
+#include "live/commands.h"
+#include "live/panels.h"
 
 namespace shadowlab::live {
 namespace {
+
+constexpr double frame = 1.0 / 60;
+constexpr std::array<float, 3> desk{0.075f, 0.08f, 0.09f}, black{0, 0, 0};
 
 double now() {
   using namespace std::chrono;
@@ -20,50 +28,80 @@ class LiveWindow {
         window_(*graphics_.context().window()),
         screen_(graphics_),
         interface_(graphics_),
-        studio_(graphics_, options.studio) {}
+        studio_(graphics_, options.studio) {
+    view_.panels = options.panels == LiveOptions::Panels::shown;
+  }
 
   void run() {
     double last = now();
-    while (open_) {
-      const double began = now();
-      take(window_.events(std::max(0.0, last + 1.0 / 60 - began)));
+    while (view_.open) {
+      take(window_.events(std::max(0.0, last + frame - now())));
       const double present = now();
-      studio_.step(present - last);
+      // A script that took seconds is no leap of the clock.
+      studio_.step(std::min(present - last, 0.25));
+      draw(present - last);
       last = present;
-      draw();
     }
   }
 
  private:
   void take(const std::vector<context::Event>& events) {
     for (const context::Event& event : events) {
-      if (std::holds_alternative<context::CloseAsked>(event)) open_ = false;
-      if (const auto* key = std::get_if<context::KeyEvent>(&event);
-          key && key->key == context::Key::escape)
-        open_ = false;
-      if (const auto* typed = std::get_if<context::Typed>(&event);
-          typed && typed->character < 128) {
-        const char c = static_cast<char>(typed->character);
-        studio_.press({&c, 1});
-      }
       interface_.take(event);
+      if (std::holds_alternative<context::CloseAsked>(event)) view_.open = false;
+      if (interface_.types()) continue;
+      try {
+        if (const auto* key = std::get_if<context::KeyEvent>(&event))
+          run_command(*key, studio_, view_);
+        if (const auto* typed = std::get_if<context::Typed>(&event)) type(typed->character);
+      } catch (const InputError& problem) {
+        studio_.say(problem.what());
+      }
     }
   }
 
-  void draw() {
+  void type(char32_t character) {
+    if (character >= 128 || character == U' ') return;
+    const char c = static_cast<char>(character);
+    if (!studio_.press({&c, 1}) && c == '?') view_.help = !view_.help;
+  }
+
+  void draw(double seconds) {
+    set_title();
+    window_.set_extent(view_.extent);
     const context::Size size = window_.size();
     if (size.width < 1 || size.height < 1) return;
-    interface_.set_style(Style::desk, window_.scale());
-    interface_.begin(size, 1.0 / 60);
-    ImGui::GetBackgroundDrawList()->AddImage(texture_id(studio_.bench().picture), {0, 0},
-                                             {static_cast<float>(studio_.bench().picture.width()),
-                                              static_cast<float>(studio_.bench().picture.height())},
-                                             {0, 1}, {1, 0});
-    if (const auto& failure = studio_.bench().workshop.failure())
-      ImGui::TextUnformatted(failure->sentence.c_str());
-    screen_.begin(size.width, size.height, {0.08f, 0.09f, 0.10f});
+    interface_.set_style(view_.style, window_.scale());
+    interface_.begin(size, seconds);
+    draw_window(studio_, view_, interface_);
+    screen_.begin(size.width, size.height, view_.style == Style::desk ? desk : black);
     interface_.end(screen_);
+    if (std::exchange(view_.window_shot, false)) save_window();
     window_.swap();
+  }
+
+  void save_window() {
+    try {
+      image::Image picture = screen_.read();
+      for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
+      const auto file = unused_file("window", ".png");
+      image::write_png(file, picture);
+      studio_.say(fmt::format("the window is in {}", file.string()));
+    } catch (const std::exception& problem) {
+      studio_.say(problem.what());
+    }
+  }
+
+  // What a desktop's list of windows, and a test, can read.
+  void set_title() {
+    const Bench& bench = studio_.bench();
+    std::string title = bench.workshop.file().filename().string();
+    if (bench.workshop.failure()) title += " - error";
+    if (const auto& pass = studio_.chosen_pass()) title += " - " + pass->name;
+    title += " - shadowlab";
+    if (title == title_) return;
+    title_ = title;
+    window_.set_title(title);
   }
 
   gl::Graphics graphics_;
@@ -71,7 +109,8 @@ class LiveWindow {
   gl::Screen screen_;
   Interface interface_;
   Studio studio_;
-  bool open_ = true;
+  View view_;
+  std::string title_;
 };
 
 }  // namespace

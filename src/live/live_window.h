@@ -1,4 +1,4 @@
-// The window of a live session: its loop, its keys, what is where in it.
+// The window of a live session: its loop, its keys, its title.
 #pragma once
 
 #include "live/studio.h"
@@ -8,6 +8,7 @@ namespace shadowlab::live {
 struct LiveOptions {
   StudioOptions studio;
   int width = 512, height = 512;  ///< of the recipes' pictures
+  enum class Panels { shown, hidden } panels = Panels::shown;
 };
 
 /// Opens the window and stays until it is closed. Throws MachineError where there is no display.

@@ -85,15 +85,19 @@ Workshop::Drawn Workshop::draw_candidate(const Moment& moment) {
   } catch (const std::exception& problem) {
     if (candidate && !candidate->is_set_up()) stage = Failure::Stage::setup;
     fail(sentence_of(problem), stage);
+    failure_is_its_ = false;
     files_.insert(files_before.begin(), files_before.end());
     return Drawn::nothing;
   }
   watcher_.keep(files_);
+  coarse_.reset();
   good_ = std::move(candidate);
   failure_.reset();
-  failed_here_ = false;
+  failure_is_its_ = failed_here_ = false;
   frame_broken_ = false;
   ++versions_;
+  constexpr std::size_t programs = 64;  // of shaders that were edited, in case an edit is undone
+  graphics_.programs.trim(programs);
   return Drawn::picture;
 }
 
@@ -110,10 +114,34 @@ Workshop::Drawn Workshop::draw(const Moment& moment) {
     }
     if (moment.camera) good_->set_camera(*moment.camera);
     good_->draw(moment.time);
+    if (std::exchange(failure_is_its_, false)) failure_.reset();
     return Drawn::picture;
   } catch (const std::exception& problem) {
-    fail(sentence_of(problem), Failure::Stage::frame);
-    failed_here_ = true;
+    // What is wrong with the version on the disk says more, and stays.
+    if (!failure_ || failure_is_its_) {
+      fail(sentence_of(problem), Failure::Stage::frame);
+      failure_is_its_ = true;
+    }
+    frame_broken_ = failed_here_ = true;
+    return Drawn::nothing;
+  }
+}
+
+Workshop::Drawn Workshop::draw_coarse(const Moment& moment, int coarseness) {
+  if (!good_ || failure_) return Drawn::nothing;
+  graphics_.resize(std::max(1, graphics_.width() / coarseness),
+                   std::max(1, graphics_.height() / coarseness));
+  try {
+    if (!coarse_) coarse_ = std::make_unique<recipe::Recipe>(graphics_, file_, options_);
+    for (const auto& [name, parameter] : good_->parameters())
+      coarse_->set(name, lua::text_of(parameter));
+    for (const auto& [object, model] : models_) coarse_->set_model(object, model);
+    if (moment.camera) coarse_->set_camera(*moment.camera);
+    coarse_->draw(moment.time);
+    return Drawn::picture;
+  } catch (const std::exception&) {
+    // The file changed since, or the recipe fails at this size: the sharp one will say so.
+    coarse_.reset();
     return Drawn::nothing;
   }
 }

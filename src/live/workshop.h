@@ -47,6 +47,11 @@ class Workshop {
   /// error leaves it.
   Drawn draw(const Moment& moment);
 
+  /// The version that runs, at `1 / coarseness` of the picture's size: for a hand that moves
+  /// something faster than frames are drawn. The main frame has that size afterwards, until
+  /// `Graphics::resize`. It is set up for that size by itself, so it draws as the recipe would.
+  Drawn draw_coarse(const Moment& moment, int coarseness);
+
   /// The version that runs; null before the first good one. It is replaced by draw alone.
   recipe::Recipe* recipe() const { return good_.get(); }
   /// How many versions took over.
@@ -79,13 +84,15 @@ class Workshop {
   Watcher watcher_;
   std::set<std::filesystem::path> files_;  ///< that the versions asked for since the last good one
   std::unique_ptr<recipe::Recipe> good_;
+  std::unique_ptr<recipe::Recipe> coarse_;  ///< the same version, set up for a smaller picture
   std::optional<Failure> failure_;
   std::map<std::string, std::string> settings_;
   std::map<std::string, glm::dmat4> models_;
   std::function<void(recipe::Recipe&)> listener_;
   bool wanted_ = true;
-  bool failed_here_ = false;   ///< the version that runs failed, and nothing changed since
-  bool frame_broken_ = false;  ///< the main frame holds what a failure left in it
+  bool failed_here_ = false;     ///< the version that runs failed, and nothing changed since
+  bool failure_is_its_ = false;  ///< `failure_` is of the version that runs, not of a newer one
+  bool frame_broken_ = false;    ///< the main frame holds what a failure left in it
   int versions_ = 0;
 };
 

@@ -147,11 +147,11 @@ TEST_F(WorkshopTest, what_was_set_survives_where_it_fits_and_waits_where_it_does
   EXPECT_EQ(pixel()[1], 102) << "brought into the new range";
   with("nil");
   EXPECT_TRUE(workshop.failure());
-  with("param.number(0.3, 0, 1)");
+  with("param.number(0.6, 0, 1)");
   EXPECT_EQ(pixel()[1], 204);
   workshop.reset_parameters();
   workshop.draw({});
-  EXPECT_EQ(pixel()[1], 77) << "0.3: what was set is forgotten";
+  EXPECT_EQ(pixel()[1], 153) << "0.6: what was set is forgotten";
 }
 
 TEST_F(WorkshopTest, a_frame_that_fails_is_not_tried_again_until_something_changes) {

@@ -1,0 +1,25 @@
+// What is in the window, drawn anew each frame from the studio and the view.
+#pragma once
+
+#include "live/interface.h"
+#include "live/studio.h"
+#include "live/view.h"
+
+namespace shadowlab::live {
+
+/// Everything, between Interface::begin and end. What the pointer does in panels and picture
+/// changes `studio` and `view`.
+void draw_window(Studio& studio, View& view, const Interface& interface);
+
+/// Its parts.
+void draw_picture(Studio& studio, View& view, const Interface& interface, const Rectangle& area);
+void draw_parameters(Studio& studio, View& view);
+void draw_passes(Studio& studio, View& view, const Interface& interface);
+void draw_failure(const Failure& failure, const Interface& interface, const Rectangle& area);
+void draw_help(Studio& studio, View& view);
+
+/// A window of ImGui that is a place of ours: nothing about it moves. True, as ImGui::Begin.
+enum class Scrolling { yes, no };
+bool begin_place(const char* name, const Rectangle& area, Scrolling scrolls = Scrolling::yes);
+
+}  // namespace shadowlab::live

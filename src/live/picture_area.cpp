@@ -1,0 +1,249 @@
+// The picture in the middle: the pointer's hold on it, numbers of its pixels, what is drawn over
+// it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "live/panels.h"
+
+namespace shadowlab::live {
+namespace {
+
+constexpr double drawn_edges = 20'000;  // an overlay's most shapes: more would be a blot
+
+ImVec2 vec(glm::dvec2 place) { return {static_cast<float>(place.x), static_cast<float>(place.y)}; }
+
+bool takes_pointer(const View& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return !io.WantCaptureMouse && view.picture.area().holds(io.MousePos.x, io.MousePos.y);
+}
+
+// The slider of the truth, where there is one: pixels of the screen from the left.
+std::optional<double> slider_of(const Studio& studio, const View& view) {
+  if (studio.truth_mode() != TruthMode::slider || !studio.truth().shows()) return {};
+  return view.picture.placed().x + view.slider * view.picture.placed().width;
+}
+
+class Pointer {
+ public:
+  Pointer(Studio& studio, View& view) : studio_(studio), view_(view) {}
+
+  void run() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 place = view_.picture.from_screen(io.MousePos.x, io.MousePos.y);
+    if (takes_pointer(view_)) {
+      hover(io);
+      press(io, place);
+      wheel(io);
+    }
+    if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(1, 0)) drag(io, place);
+    if (ImGui::IsMouseDragging(2, 0)) view_.picture.pan(io.MouseDelta.x, io.MouseDelta.y);
+    if (!ImGui::IsAnyMouseDown()) studio_.let_go();
+  }
+
+ private:
+  void hover(const ImGuiIO& io) {
+    if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;  // the keys may have moved it on
+    if (!view_.panels || view_.details != View::Details::pixel) return studio_.set_pixel({});
+    studio_.set_pixel(view_.picture.pixel_at(io.MousePos.x, io.MousePos.y));
+  }
+
+  void press(const ImGuiIO& io, glm::dvec2 place) {
+    for (const int button : {0, 1}) {
+      if (!ImGui::IsMouseClicked(button)) continue;
+      const auto slider = slider_of(studio_, view_);
+      if (button == 0 && slider && std::abs(*slider - io.MousePos.x) < ImGui::GetFontSize()) {
+        slides() = true;
+        return;
+      }
+      slides() = false;
+      const double reach = 1.5 * ImGui::GetFontSize() / view_.picture.placed().height;
+      studio_.grab(place, button == 1 ? Studio::Grip::camera : studio_.grip_at(place, reach));
+    }
+  }
+
+  void drag(const ImGuiIO& io, glm::dvec2 place) {
+    if (slides()) {
+      const Rectangle& at = view_.picture.placed();
+      view_.slider = std::clamp((io.MousePos.x - at.x) / at.width, 0.0, 1.0);
+    } else if (io.KeyShift) {
+      if (const auto camera = studio_.camera()) {
+        const double height = view_.picture.placed().height;
+        studio_.set_camera(shifted(*camera, -io.MouseDelta.x / height, io.MouseDelta.y / height));
+      }
+    } else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
+      studio_.drag(place);
+    }
+  }
+
+  void wheel(const ImGuiIO& io) {
+    if (io.MouseWheel == 0) return;
+    if (io.KeyCtrl) {
+      view_.picture.zoom_at(std::pow(1.25, io.MouseWheel), io.MousePos.x, io.MousePos.y);
+    } else if (const auto camera = studio_.camera()) {
+      studio_.set_camera(approached(*camera, std::pow(0.9, io.MouseWheel)));
+    }
+  }
+
+  bool& slides() { return view_.slides; }
+
+  Studio& studio_;
+  View& view_;
+};
+
+void draw_image(ImDrawList& list, const gl::ShownPicture& picture, const Rectangle& at,
+                double from = 0) {
+  if (!picture.texture()) return;
+  const auto left = static_cast<float>(at.x + from * at.width);
+  list.AddImage(texture_id(picture), {left, static_cast<float>(at.y)},
+                {static_cast<float>(at.x + at.width), static_cast<float>(at.y + at.height)},
+                {static_cast<float>(from), 1}, {1, 0});
+}
+
+void draw_overlay(ImDrawList& list, const Studio& studio, const View& view) {
+  const recipe::Recipe* recipe = studio.bench().workshop.recipe();
+  const auto camera = studio.camera();
+  const auto light = studio.light();
+  if (!recipe || !recipe->scene() || !camera || !light) return;
+  static constexpr std::array<ImU32, 4> lines{
+      IM_COL32(255, 220, 60, 255), IM_COL32(90, 200, 255, 255), IM_COL32(120, 255, 130, 255),
+      IM_COL32(255, 120, 220, 255)};
+  std::size_t drawn = 0;
+  // Faces that share an edge would show it as a line, were their borders smoothed.
+  const ImDrawListFlags before = list.Flags;
+  list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  for (const Shape& shape :
+       shapes(view.overlay, *recipe->scene(), *camera, studio.aspect(), *light)) {
+    if (static_cast<double>(++drawn) > drawn_edges) break;
+    std::vector<ImVec2> points;
+    for (const glm::dvec2 place : projected(shape, *camera, studio.aspect()))
+      points.push_back(vec(view.picture.to_screen(place)));
+    if (points.empty()) continue;
+    const auto group = static_cast<std::size_t>(shape.group) % lines.size();
+    const auto count = static_cast<int>(points.size());
+    if (shape.kind == Shape::Kind::face) {
+      list.AddConvexPolyFilled(points.data(), count, IM_COL32(255, 220, 60, 12));
+    } else {
+      list.AddPolyline(points.data(), count, lines[group], 0, 1.5f);
+    }
+  }
+  list.Flags = before;
+}
+
+void draw_light(ImDrawList& list, const Studio& studio, const View& view) {
+  const auto camera = studio.camera();
+  const auto light = studio.light();
+  if (!camera || !light) return;
+  const Seen place = seen(*camera, studio.aspect(), light_handle(*light, *camera));
+  if (place.distance <= 0) return;
+  const ImVec2 at = vec(view.picture.to_screen({place.x, place.y}));
+  const float radius = ImGui::GetFontSize() * 0.4f;
+  list.AddCircleFilled(at, radius, IM_COL32(255, 235, 150, 255));
+  list.AddCircle(at, radius + 1.5f, IM_COL32(30, 30, 30, 255), 0, 2);
+}
+
+// What is in a pixel, in as many lines as are of interest.
+std::vector<std::string> numbers_of(const Studio& studio, std::size_t index) {
+  using Buffer = LookedAt::Buffer;
+  const Buffers& buffers = studio.inspector().buffers();
+  switch (studio.looked_at().buffer) {
+    case Buffer::depth:
+      if (index < buffers.depth.values.size())
+        return {fmt::format("{:.5f}", buffers.depth.values[index])};
+      break;
+    case Buffer::stencil:
+      if (index < buffers.stencil.size()) return {fmt::format("{}", buffers.stencil[index])};
+      break;
+    case Buffer::attachment: {
+      if (studio.looked_at().attachment >= buffers.attachments.size()) break;
+      const auto& contents = buffers.attachments[studio.looked_at().attachment];
+      std::vector<std::string> lines;
+      const auto channels = static_cast<std::size_t>(contents.channels);
+      for (std::size_t c = 0; c < channels && index * channels + c < contents.values.size(); ++c)
+        lines.push_back(fmt::format("{:.4g}", contents.values[index * channels + c]));
+      return lines;
+    }
+    case Buffer::color:
+      if (4 * index + 2 >= buffers.color.rgba.size()) break;
+      return {fmt::format("{}", buffers.color.rgba[4 * index]),
+              fmt::format("{}", buffers.color.rgba[4 * index + 1]),
+              fmt::format("{}", buffers.color.rgba[4 * index + 2])};
+  }
+  return {};
+}
+
+void draw_numbers(ImDrawList& list, const Studio& studio, const View& view, int width, int height) {
+  const PictureView& picture = view.picture;
+  const double line = ImGui::GetTextLineHeight();
+  if (picture.zoom() < 3.2 * line) return;
+  const auto clamped = [](double value, int most) {
+    return std::clamp(static_cast<int>(std::floor(value)), 0, most);
+  };
+  const Rectangle& area = picture.area();
+  const glm::dvec2 low =
+      glm::dvec2(area.x - picture.placed().x, area.y - picture.placed().y) / picture.zoom();
+  const glm::dvec2 high = low + glm::dvec2(area.width, area.height) / picture.zoom();
+  for (int y = clamped(low.y, height - 1); y <= clamped(high.y, height - 1); ++y) {
+    for (int x = clamped(low.x, width - 1); x <= clamped(high.x, width - 1); ++x) {
+      const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x);
+      glm::dvec2 at = picture.corner_of(x, y) + glm::dvec2(4, 3);
+      for (const std::string& text : numbers_of(studio, index)) {
+        // Dark under light: legible on any pixel.
+        list.AddText(vec(at + glm::dvec2(1)), IM_COL32(0, 0, 0, 255), text.c_str());
+        list.AddText(vec(at), IM_COL32(255, 255, 255, 255), text.c_str());
+        at.y += line;
+      }
+    }
+  }
+}
+
+void draw_truth(ImDrawList& list, const Studio& studio, const View& view) {
+  if (!studio.truth().shows()) return;
+  const Rectangle& at = view.picture.placed();
+  if (studio.truth_mode() == TruthMode::error) draw_image(list, studio.truth().error(), at);
+  if (const auto slider = slider_of(studio, view)) {
+    draw_image(list, studio.truth().truth(), at, view.slider);
+    const auto x = static_cast<float>(*slider);
+    list.AddLine({x, static_cast<float>(at.y)}, {x, static_cast<float>(at.y + at.height)},
+                 IM_COL32(255, 200, 60, 255), 2);
+  }
+}
+
+}  // namespace
+
+void draw_picture(Studio& studio, View& view, const Interface& interface, const Rectangle& area) {
+  const gl::ShownPicture& picture = studio.shown(studio.bench());
+  // A coarse picture takes the place of the sharp one.
+  const bool attachment = studio.looked_at().buffer == LookedAt::Buffer::attachment;
+  const int width = attachment ? std::max(1, picture.width()) : studio.graphics().width();
+  const int height = attachment ? std::max(1, picture.height()) : studio.graphics().height();
+  view.picture.place(area, width, height);
+  Pointer(studio, view).run();
+  view.picture.place(area, width, height);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(
+      {static_cast<float>(area.x), static_cast<float>(area.y)},
+      {static_cast<float>(area.x + area.width), static_cast<float>(area.y + area.height)});
+  draw_image(list, picture, view.picture.placed());
+  // At the frame's end and in colour the picture is the recipe's, and things can be laid over it.
+  if (!attachment) {
+    draw_truth(list, studio, view);
+    if (view.overlay != Overlay::none) draw_overlay(list, studio, view);
+    if (view.panels && studio.truth_mode() != TruthMode::error) draw_light(list, studio, view);
+  }
+  ImGui::PushFont(interface.code());
+  draw_numbers(list, studio, view, width, height);
+  ImGui::PopFont();
+  if (studio.pixel() && view.panels && view.details == View::Details::pixel && !attachment) {
+    const glm::ivec2 pixel = *studio.pixel();
+    list.AddRect(vec(view.picture.corner_of(pixel.x, pixel.y) - 1.0),
+                 vec(view.picture.corner_of(pixel.x + 1, pixel.y + 1) + 1.0),
+                 IM_COL32(255, 200, 60, 255));
+  }
+  list.PopClipRect();
+}
+
+}  // namespace shadowlab::live

@@ -1,0 +1,29 @@
+// How the window shows the studio: what is open, how large, what is selected.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "context/window.h"
+#include "live/interface.h"
+#include "live/overlay.h"
+#include "live/picture_view.h"
+
+namespace shadowlab::live {
+
+struct View {
+  bool open = true;
+  bool panels = true;
+  bool help = false;
+  Style style = Style::desk;
+  context::Extent extent = context::Extent::windowed;
+  Overlay overlay = Overlay::none;
+  PictureView picture;
+  double slider = 0.5;        ///< right of it is the truth: of the picture's width
+  bool slides = false;        ///< the pointer holds it
+  std::size_t parameter = 0;  ///< the one that the keys are about
+  bool window_shot = false;   ///< the window itself is to go into a file
+  enum class Details { state, calls, pixel, count } details = Details::state;
+};
+
+}  // namespace shadowlab::live
