@@ -3,6 +3,7 @@ local recipe = {
   title   = "Lab 06: a projected shadow in four passes, by stencil",
   lecture = "000_178f3ee06912f876: Ombres per projecció (amb stencil)",
   scene   = "table",
+  truth   = "hard on receivers",
   params  = {
     light    = param.point(2, 4, 1),
     darkness = param.number(0.35, 0, 1),   -- what is left of the receiver's colour in the shadow

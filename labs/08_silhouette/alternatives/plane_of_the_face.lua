@@ -88,10 +88,17 @@ function recipe.draw(r)
         volume:draw(r.flat, { view = view, projection = projection, model = caster.model, color = vec3(0) })
       end
     end
+    -- The sky is in no shadow: where nothing was drawn, the depth is still 1.
+    gl.Disable(gl.POLYGON_OFFSET_FILL)
+    gl.DepthRange(1, 1)
+    gl.DepthFunc(gl.EQUAL)
+    gl.StencilOp(gl.KEEP, gl.KEEP, gl.ZERO)
+    r.quad:draw(r.flat, { color = vec3(0), alpha = 1 })
+    gl.DepthRange(0, 1)
+    gl.DepthFunc(gl.LESS)
   end)
 
   pass("3. a dark quad over all that is in a volume", function()
-    gl.Disable(gl.POLYGON_OFFSET_FILL)
     gl.Disable(gl.DEPTH_TEST)
     gl.ColorMask(true, true, true, true)
     gl.Enable(gl.BLEND)
