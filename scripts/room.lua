@@ -3,6 +3,8 @@
 -- ones are many such frames, each with the light jittered, averaged by the accumulation buffer.
 --
 -- Lighting is per vertex: with few quads a wall, a light near it is lost between its vertices.
+--
+-- Keys are the lab's; ESC closes the window, as with every recipe. The same picture sooner: room_fast.
 local lab_room = require "parts.lab_room"
 
 local recipe = {
