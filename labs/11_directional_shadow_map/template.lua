@@ -48,6 +48,7 @@ function recipe.setup(r)
   gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST)
   -- TO DO (1): the map ends around the teapot. What is outside of it is lit: how does the texture wrap, and
   -- what is its border's depth?
+
   -- Attached to a framebuffer, which draws no colour
   r.fbo = gl.GenFramebuffers(1)
   gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
