@@ -10,7 +10,7 @@ return {
     { name = "another sun", points = 3, set = { light = sun() }, compare = { color = true } },
     { name = "seen from anywhere", points = 3, hidden = true, camera = random.camera(table_top),
       set = { light = sun(), darkness = random.number(0.15, 0.4) }, compare = { color = true } },
-    { name = "a coarser map", points = 2, hidden = true, set = { light = sun(), size = random.choice{ 300, 400, 640 } },
+    { name = "a map of another size", points = 2, hidden = true, set = { light = sun(), size = random.choice{ 700, 900, 1400 } },
       compare = { color = true } },
   },
 }
