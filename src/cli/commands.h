@@ -32,5 +32,7 @@ void add_worker(CLI::App& app, Answer& answer);
 void add_grade(CLI::App& app, Answer& answer);
 void add_merge(CLI::App& app, Answer& answer);
 void add_pack(CLI::App& app, Answer& answer);
+void add_measure(CLI::App& app, Answer& answer);
+void add_stress(CLI::App& app, Answer& answer);
 
 }  // namespace shadowlab::cli

@@ -1,17 +1,18 @@
 // shadowlab gallery: every recipe of scripts/ on one page.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 
 #include "cli/captures.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/gallery_page.h"
+#include "cli/progress.h"
 #include "cli/session.h"
 #include "core/error.h"
+#include "measure/clock.h"
+#include "measure/median.h"
 
 namespace shadowlab::cli {
 namespace {
@@ -27,40 +28,17 @@ struct GalleryOptions {
 constexpr int most_frames = 9;
 constexpr double longest_timing = 1000;  // ms for one recipe
 
-double now() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
-
-// The line that says what is being drawn, on a terminal alone.
-class Progress {
- public:
-  ~Progress() { clear(); }
-  void show(std::size_t index, std::size_t count, const std::string& name) {
-    clear();
-    if (terminal_) fmt::print(stderr, "{} of {}: {}", index + 1, count, name);
-  }
-  void clear() {
-    if (terminal_) fmt::print(stderr, "\r\x1b[K");
-  }
-
- private:
-  bool terminal_ = ::isatty(STDERR_FILENO) == 1;
-};
-
 double median_frame(gl::Graphics& graphics, recipe::Recipe& recipe) {
   std::vector<double> times;
-  const double end = now() + longest_timing;
+  const double end = measure::now() + longest_timing;
   do {
     graphics.gl.Finish.unrecorded();
-    const double began = now();
+    const double began = measure::now();
     recipe.draw();
     graphics.gl.Finish.unrecorded();
-    times.push_back(now() - began);
-  } while (times.size() < most_frames && now() < end);
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
+    times.push_back(measure::now() - began);
+  } while (times.size() < most_frames && measure::now() < end);
+  return measure::median(times);
 }
 
 std::vector<std::uint8_t> values_of(const std::vector<std::uint8_t>& stencil) {
@@ -116,7 +94,7 @@ Answer gallery(const GalleryOptions& options) {
   gl::Graphics graphics(context::create(context::backend_named(options.context)), width, height);
   Gallery gallery{{}, width, height, graphics.context().renderer};
   Answer answer = Answer::yes;
-  Progress progress;
+  ProgressLine progress;
   for (std::size_t i = 0; i < files.size(); ++i) {
     ShownRecipe shown;
     shown.name = files[i].stem().string();

@@ -25,9 +25,10 @@ int fail(int code, std::string sentence) {
 int run(CLI::App& app, int argc, char** argv) {
   using namespace shadowlab;
   cli::Answer answer = cli::Answer::yes;
-  for (const auto add : {cli::add_run, cli::add_live, cli::add_trace, cli::add_list, cli::add_new,
-                         cli::add_gallery, cli::add_diff, cli::add_check, cli::add_grade,
-                         cli::add_merge, cli::add_pack, cli::add_doctor, cli::add_worker})
+  for (const auto add :
+       {cli::add_run, cli::add_live, cli::add_trace, cli::add_list, cli::add_new, cli::add_gallery,
+        cli::add_diff, cli::add_check, cli::add_measure, cli::add_stress, cli::add_grade,
+        cli::add_merge, cli::add_pack, cli::add_doctor, cli::add_worker})
     add(app, answer);
   app.parse(argc, argv);
   if (app.get_subcommands().empty()) {

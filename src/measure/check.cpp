@@ -5,29 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <random>
 
 #include "core/error.h"
+#include "measure/claim.h"
+#include "measure/random.h"
 #include "truth/tracer.h"
 
 namespace shadowlab::measure {
 namespace {
-
-// [0, 1), the same on every machine: std::uniform_real_distribution may differ between libraries.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * unit(); }
-  glm::dvec3 direction() {
-    const double height = between(-1, 1), angle = between(0, 2 * 3.141592653589793);
-    const double radius = std::sqrt(std::max(0.0, 1 - height * height));
-    return {radius * std::cos(angle), height, radius * std::sin(angle)};
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 scene::Bounds bounds_of(const scene::Scene& scene, bool casters_alone) {
   scene::Bounds bounds;
@@ -36,16 +21,6 @@ scene::Bounds bounds_of(const scene::Scene& scene, bool casters_alone) {
       bounds = merge(bounds, scene::bounds(*object.mesh, object.model));
   }
   return bounds;
-}
-
-// The technique's visibility: the red of a picture in which the stock shaders draw it.
-image::FloatImage visibility_of(const image::Image& picture) {
-  image::FloatImage visibility{picture.width, picture.height, {}};
-  visibility.values.resize(picture.rgba.size() / 4);
-  for (std::size_t i = 0; i < visibility.values.size(); ++i) {
-    visibility.values[i] = static_cast<float>(picture.rgba[4 * i]) / 255.0f;
-  }
-  return visibility;
 }
 
 // What is compared in one view, ready for truth::compare: where nothing is claimed both agree.
@@ -58,24 +33,12 @@ class Comparer {
  public:
   Comparer(gl::Graphics& graphics, const std::filesystem::path& file, const CheckOptions& options)
       : graphics_(graphics), options_(options), recipe_(graphics, file, recipe_options(options)) {
-    const std::string& truth = recipe_.description().truth;
-    if (truth.empty()) {
-      throw InputError(fmt::format(
-          "{} is not held against a truth; a recipe says so by truth = \"hard\"", file.string()));
-    }
-    const bool soft = truth == "soft" || truth == "soft on receivers";
-    if (!soft && truth != "hard" && truth != "hard on receivers") {
-      throw InputError(fmt::format(
-          "{}: truth is \"hard\" or \"soft\", either with \" on receivers\" after it, not \"{}\"",
-          file.string(), truth));
-    }
-    on_receivers_ = truth.ends_with("on receivers");
     for (const auto& [name, value] : options.settings) recipe_.set(name, value);
     if (!recipe_.scene()) throw InputError(file.string() + " has no scene to compare");
     own_light_ = recipe_.light();
     scene_ = *recipe_.scene();
     tracer_.emplace(scene_);
-    if (soft) radius_ = radius_of(recipe_, file);
+    claim_ = claim_of(recipe_, file);
   }
 
   const recipe::Recipe& recipe() const { return recipe_; }
@@ -91,9 +54,9 @@ class Comparer {
     scene::Light light;
     light.position = view.light;
     Pictures pictures{visibility_of(graphics_.frame.read_color()), {}, {}, 0};
-    if (radius_) {
+    if (claim_.radius) {
       light.shape = scene::Light::Shape::sphere;
-      light.radius = *radius_;
+      light.radius = *claim_.radius;
       // All of a penumbra is an edge: what tells is the RMSE.
       pictures.edges = pictures.technique;
       std::ranges::fill(pictures.edges.values, 1.0f);
@@ -103,7 +66,7 @@ class Comparer {
     pictures.truth = tracer_->visibility(view.camera, light, width, height);
     const auto surfaces = tracer_->surfaces(view.camera, width, height);
     for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i) {
-      if (claims(surfaces.surfaces[i])) {
+      if (claim_.covers(scene_, surfaces.surfaces[i])) {
         ++pictures.compared;
       } else {
         pictures.technique.values[i] = pictures.truth.values[i];
@@ -120,27 +83,12 @@ class Comparer {
     return recipe_options;
   }
 
-  // A soft technique's light is a sphere of the parameter "radius" around "light".
-  static double radius_of(const recipe::Recipe& recipe, const std::filesystem::path& file) {
-    for (const auto& [name, parameter] : recipe.parameters()) {
-      if (name == "radius" && parameter.value.size() == 1) return parameter.value[0];
-    }
-    throw InputError(file.string() +
-                     ": truth = \"soft\" needs a parameter radius, the light's; it has none");
-  }
-
-  bool claims(const truth::Surface& surface) const {
-    if (!surface.hit()) return false;
-    return !on_receivers_ || !scene_.objects[surface.object].casts();
-  }
-
   gl::Graphics& graphics_;
   CheckOptions options_;
   recipe::Recipe recipe_;
   scene::Scene scene_;
   glm::dvec4 own_light_{0};
-  bool on_receivers_ = false;
-  std::optional<double> radius_;  // of the light, where the truth is soft
+  Claim claim_;
   std::optional<truth::Tracer> tracer_;
 };
 

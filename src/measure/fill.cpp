@@ -1,24 +1,19 @@
 #include "measure/fill.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <functional>
 #include <glm/gtc/type_ptr.hpp>
 #include <iterator>
 
 #include "core/version.h"
+#include "measure/clock.h"
 #include "measure/median.h"
 
 namespace shadowlab::measure {
 namespace {
 
 constexpr double mpix = 1024 * 1024;
-
-double now() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 std::shared_ptr<gl::Shader> stock(gl::Graphics& graphics, const std::string& name) {
   const auto stage = [&](const std::string& extension) {
@@ -201,28 +196,43 @@ double PassFill::least(const FillLimit& limit) const {
 }
 
 double PassFill::least_in_all(const FillLimit& limit) const {
-  return least(limit) + static_cast<double>(triangles) * limit.triangle * 1e-6 + limit.pass;
+  return least(limit) + static_cast<double>(triangles) * limit.triangle * 1e-6 +
+         static_cast<double>(count) * limit.pass;
+}
+
+std::vector<PassFill> count_fill(gl::Graphics& graphics, recipe::Recipe& recipe) {
+  PixelCounter counter(graphics);
+  std::vector<std::array<double, layer_count>> mpix_of_passes;
+  struct Watch {
+    gl::Graphics& graphics;
+    recipe::Recipe& recipe;
+    ~Watch() {
+      recipe.on_pass_end({});
+      graphics.calls().draws = nullptr;
+    }
+  } const watch{graphics, recipe};
+  graphics.calls().draws = &counter;
+  recipe.on_pass_end([&](std::size_t) { mpix_of_passes.push_back(counter.take()); });
+  recipe.draw();
+  std::vector<PassFill> passes;
+  for (std::size_t i = 0; i < mpix_of_passes.size(); ++i) {
+    const recipe::PassTime& pass = recipe.passes()[i];
+    passes.push_back({pass.name, mpix_of_passes[i], pass.work.triangles, 0});
+  }
+  return passes;
 }
 
 std::vector<PassFill> fill_of(gl::Graphics& graphics, recipe::Recipe& recipe, int frames) {
   recipe.draw();  // what is made once
-  std::vector<PassFill> passes;
   std::vector<std::vector<double>> times(recipe.passes().size());
   for (int frame = 0; frame < frames; ++frame) {
     recipe.draw();
     for (std::size_t i = 0; i < times.size(); ++i)
       times[i].push_back(recipe.passes()[i].milliseconds);
   }
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const recipe::PassTime& pass = recipe.passes()[i];
-    passes.push_back({pass.name, {}, pass.work.triangles, frames > 0 ? median(times[i]) : 0});
-  }
-  PixelCounter counter(graphics);
-  graphics.calls().draws = &counter;
-  recipe.on_pass_end([&](std::size_t i) { passes.at(i).mpix = counter.take(); });
-  recipe.draw();
-  recipe.on_pass_end({});
-  graphics.calls().draws = nullptr;
+  std::vector<PassFill> passes = count_fill(graphics, recipe);
+  for (std::size_t i = 0; i < passes.size() && frames > 0; ++i)
+    passes[i].milliseconds = median(times[i]);
   return passes;
 }
 

@@ -42,6 +42,7 @@ struct PassFill {
   std::array<double, layer_count> mpix{};  ///< covered, tests aside: what was rasterised
   std::uint64_t triangles = 0;
   double milliseconds = 0;  ///< the median of `frames`
+  std::uint64_t count = 1;  ///< how many passes it sums up
 
   double covered() const;
   /// The least time that filling takes, in milliseconds.
@@ -50,9 +51,12 @@ struct PassFill {
   double least_in_all(const FillLimit& limit) const;
 };
 
+/// Draws one frame, each draw of it a second time without tests and writes in a query; the picture
+/// is that of any frame. The passes have no times.
+std::vector<PassFill> count_fill(gl::Graphics& graphics, recipe::Recipe& recipe);
+
 /// Draws the recipe once to warm it, `frames` times for the times (which Options::time_passes must
-/// have asked for), and once more for the pixels: each draw is made twice then, once without tests
-/// and writes in a query.
+/// have asked for), and once more for the pixels, as count_fill does.
 std::vector<PassFill> fill_of(gl::Graphics& graphics, recipe::Recipe& recipe, int frames = 15);
 
 }  // namespace shadowlab::measure

@@ -121,6 +121,11 @@ void Recipe::set_camera(const scene::Camera& camera) {
   if (scene_) scene_->camera = camera;
 }
 
+void Recipe::set_scene(scene::Scene scene) {
+  if (!scene_) throw InputError(fmt::format("{} has no scene", file_.string()));
+  *scene_ = std::move(scene);
+}
+
 void Recipe::set_model(std::string_view name, const glm::dmat4& model) {
   if (scene_) {
     for (scene::Object& object : scene_->objects) {

@@ -23,6 +23,12 @@
 
 namespace shadowlab::recipe {
 
+/// A parameter that `measure` varies, and the values that it gives it, as Recipe::set takes them.
+struct Swept {
+  std::string name;
+  std::vector<std::string> values;
+};
+
 /// What a recipe says of itself.
 struct Description {
   std::string title;
@@ -31,6 +37,7 @@ struct Description {
   /// What its picture is to be held against: "hard" or "soft" visibility, with " on receivers"
   /// where casters are not its business; "" where its picture is not visibility at all.
   std::string truth;
+  std::vector<Swept> sweep;  ///< in alphabetical order
 };
 
 /// A parameter by its name, in alphabetical order.
@@ -87,6 +94,9 @@ class Recipe : private lua::PassListener {
   glm::dvec4 light() const;
   /// Another camera, in place of the scene's.
   void set_camera(const scene::Camera& camera);
+  /// Another scene, camera and lights with it; before the first frame. Throws InputError for a
+  /// recipe that has none.
+  void set_scene(scene::Scene scene);
   /// Moves the scene's object of that name. Throws InputError where there is none.
   void set_model(std::string_view object, const glm::dmat4& model);
 
@@ -103,6 +113,10 @@ class Recipe : private lua::PassListener {
 
   /// The passes of the last frame, in their order; times where the options asked for them.
   std::span<const PassTime> passes() const { return {passes_.data(), pass_count_}; }
+
+  /// From the next frame on glFinish is around each pass, as Options::time_passes asks from the
+  /// first.
+  void start_timing_passes() { time_passes_ = true; }
 
   /// What the last frame decided, and why, in its order; where the options asked for it.
   const std::vector<lua::Explanation>& explanations() const { return stage_.explanations; }

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "lua/value.h"
 #include "recipe/recipe.h"
+#include "recipe/sweep.h"
 
 namespace shadowlab::recipe {
 namespace {
@@ -34,10 +35,14 @@ void Recipe::read_table() {
                     file_.string()));
   }
   lua_pop(L, 1);
-  description_ = {text_field(L, table, "title"), text_field(L, table, "lecture"),
-                  text_field(L, table, "scene"), text_field(L, table, "truth")};
+  description_ = {text_field(L, table, "title"),
+                  text_field(L, table, "lecture"),
+                  text_field(L, table, "scene"),
+                  text_field(L, table, "truth"),
+                  {}};
   if (description_.title.empty()) description_.title = file_.stem().string();
   read_parameters(table);
+  description_.sweep = read_sweep(L, table, file_.string(), parameters_);
   read_keys(table);
   table_ = luaL_ref(L, LUA_REGISTRYINDEX);
   lua_newtable(L);

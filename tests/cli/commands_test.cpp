@@ -28,7 +28,8 @@ TEST_F(Cli, a_mistyped_command_or_option_names_the_near_one) {
 }
 
 TEST_F(Cli, every_command_has_a_help_with_an_example) {
-  for (const char* command : {"run", "trace", "list", "new", "gallery", "diff", "doctor"}) {
+  for (const char* command :
+       {"run", "trace", "list", "new", "gallery", "diff", "measure", "stress", "doctor"}) {
     const Ended ended = run(std::string(command) + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     EXPECT_THAT(ended.out, HasSubstr(std::string("Example:\n  shadowlab ") + command));

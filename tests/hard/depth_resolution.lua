@@ -82,6 +82,9 @@ test("depth_24_and_a_float_of_32_bits_resolve_the_same", function()
       expect_near(measured(format, false, z, expected) / expected_step(z, 24), 1, 0.1, reason)
     end
   end
+  naive(string.format("at 1000 m D24 tells %.2f m apart and D32F %.2f m",
+                      measured(gl.DEPTH_COMPONENT24, false, 1000, 1e6 / (near * 2 ^ 24)),
+                      measured(gl.DEPTH_COMPONENT32F, false, 1000, 1e6 / (near * 2 ^ 24))))
 end)
 
 -- Distances are floats too, whose own steps are at most 2^-23 of them.
@@ -89,5 +92,10 @@ test("a_reversed_float_resolves_a_constant_part_of_the_distance", function()
   for _, z in ipairs { 100, 1000, 10000 } do
     local relative = measured(gl.DEPTH_COMPONENT32F, true, z, z * 2 ^ -23) / z
     expect(relative >= 2 ^ -24.2 and relative <= 2 ^ -22, z .. ": " .. relative * 2 ^ 24 .. " · 2^-24")
+    if z == 1000 then ours(string.format("reversed, D32F tells %.2g m apart at 1000 m", relative * z)) end
   end
 end)
+
+row{ case = 8, title = "Near and far 0.1 and 1e5", expected = "steps of z²/(n · 2^bits); reversed D32F a constant part of the distance",
+     facts = { "depth_16_resolves_z_squared_over_n_2_to_the_16", "depth_24_and_a_float_of_32_bits_resolve_the_same",
+               "a_reversed_float_resolves_a_constant_part_of_the_distance" } }

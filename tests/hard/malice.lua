@@ -168,3 +168,19 @@ test("faces_of_a_volume_stay_together_where_one_is_edge_on", function()
                      vec4(0.6210900802300316, -0.05928353807016418, 0.7814938095428117, 0))
   given.size = size
 end)
+
+local untold = "not shown: no listing of a lecture tells of it"
+row{ case = 26, title = "Slivers a millionth as high as long", expected = "the truth, no streaks",
+     facts = { "slivers_a_millionth_as_high_as_long_leave_no_streaks", "a_fan_of_slivers_is_its_disk" }, without = untold }
+row{ case = 27, title = "Triangles through each other at random", expected = "the truth",
+     facts = { "triangles_through_each_other_at_random_are_the_truth" }, without = untold }
+row{ case = 28, title = "Faces that are there twice, thrice, and with their reverse", expected = "the picture of one",
+     facts = { "faces_that_are_there_twice_and_thrice_draw_the_picture_of_one", "a_face_and_its_reverse_in_one_place_draw_the_picture_of_one" },
+     without = untold }
+row{ case = 29, title = "Casters that touch their receiver, and each other", expected = "no gap of light",
+     facts = { "casters_that_touch_their_receiver_leave_no_gap_of_light", "what_a_caster_stands_on_hides_its_sides_to_the_last_pixel",
+               "two_casters_face_to_face_let_no_light_between_them" },
+     without = untold }
+row{ case = 30, title = "A light on a vertex, on an edge, in a face, inside of a closed caster", expected = "the truth; all outside dark",
+     facts = { "a_light_on_a_vertex_on_an_edge_and_in_a_face_is_the_truth",
+               "a_light_inside_of_a_closed_caster_darkens_all_outside_and_nothing_within" }, without = untold }

@@ -144,3 +144,9 @@ test("in_perspective_the_offset_is_the_same_all_over_the_plane", function()
     expect(seen > 20, tilt .. " degrees: only " .. seen)
   end
 end)
+
+row{ case = 10, title = "Polygon offset", expected = "factor · m + r · units within one unit of resolution",
+     facts = { "units_count_in_steps_of_r_whatever_the_slope", "a_plane_that_faces_the_viewer_is_not_moved_by_the_factor",
+               "the_factor_counts_in_the_larger_slope", "the_factor_counts_in_slopes_that_no_float_holds",
+               "factor_and_units_add_up", "in_perspective_the_offset_is_the_same_all_over_the_plane" },
+     without = "right too: it is GL's own, measured" }

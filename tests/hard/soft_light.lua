@@ -61,6 +61,15 @@ local function each_floor_pixel(picture, h, visit)
   expect(visited > 2000, "hardly a pixel is compared")
 end
 
+test("one_hard_shadow_has_no_ramp", function()
+  local picture, wrong = render_plate(techniques[1], 0), 0
+  each_floor_pixel(picture, 1, function(point, seen)
+    if math.abs(seen - (visibility(point, 0.4, 1))) > 0.1 then wrong = wrong + 1 end
+  end)
+  expect(wrong > 100, "only " .. wrong .. " pixels are wrong")
+  naive("a hard shadow is off by more than a tenth in " .. wrong .. " pixels", picture)
+end)
+
 test("an_edge_is_a_ramp_and_a_corner_the_product_of_two", function()
   for _, technique in ipairs(techniques) do
     for _, case in ipairs{ { 0.4, 1 }, { 0.25, 1.6 }, { 0.6, 0.3 } } do
@@ -68,6 +77,7 @@ test("an_edge_is_a_ramp_and_a_corner_the_product_of_two", function()
       local lift = technique.name == "umbra_penumbra" and h - 1 or nil
       if lift or h == 1 then
         local picture = render_plate(technique, s, lift)
+        if h == 1 then ours(technique.name .. ": within its points' discrepancy of the closed form", picture) end
         each_floor_pixel(picture, h, function(point, seen)
           local expected, across, along = visibility(point, s, h)
           local on_edge = across % 1 == 0 or along % 1 == 0
@@ -126,6 +136,7 @@ test("a_caster_that_nears_its_receiver_loses_its_penumbra", function()
     before = between
   end
   expect_equal(before, 0, "0.3 mm wide, where a pixel has 3 cm: pixels between lit and dark")
+  ours "no pixel between lit and dark at a height of 1 mm"
 end)
 
 -- Half-width s of the light, w of the plate: the umbra's is w + (w - s) h/(H - h), which is negative.
@@ -141,3 +152,11 @@ test("a_light_larger_than_the_caster_and_high_enough_over_it_leaves_no_umbra", f
                 technique.name .. ": a rectangle within the light, four times the discrepancy")
   end
 end)
+
+row{ case = 22, title = "A square light over an edge and a corner", expected = "a ramp of half-width s h/(H - h), and the product of two",
+     facts = { "one_hard_shadow_has_no_ramp", "an_edge_is_a_ramp_and_a_corner_the_product_of_two", "the_penumbra_is_as_wide_as_similar_triangles_say" } }
+row{ case = 23, title = "A light that shrinks, a caster that nears its receiver, a light larger than the caster",
+     expected = "the hard shadow; no penumbra; no umbra",
+     facts = { "a_light_that_shrinks_to_a_point_gives_the_hard_shadow", "a_caster_that_nears_its_receiver_loses_its_penumbra",
+               "a_light_larger_than_the_caster_and_high_enough_over_it_leaves_no_umbra" },
+     without = "right too: points on a light of no size are one point" }

@@ -23,6 +23,7 @@ test("one_occluder_parallel_to_a_square_light_has_the_exact_ramp", function()
                   "one of the taps' columns, a texel of the ramp, and 8 bits") end
     end
     expect(ramp > 8, s .. ": " .. ramp)
+    if s == 0.25 then ours("the ramp, up to the map's texels", picture) end
   end
 end)
 
@@ -76,6 +77,12 @@ test("a_filter_of_comparisons_gives_a_ramp_of_its_own_width", function()
         end
       end
       expect(ramp >= 4, width .. ": " .. ramp)
+      if weights == "equal" and width == 20 then
+        naive("one width of filter: a ramp of 20 texels whatever the height", picture)
+      end
     end
   end
 end)
+
+row{ case = 25, title = "PCSS with one occluder parallel to a square light", expected = "the ramp of half-width s h/(H - h), up to the map's texels",
+     facts = { "one_occluder_parallel_to_a_square_light_has_the_exact_ramp", "a_filter_of_comparisons_gives_a_ramp_of_its_own_width" } }

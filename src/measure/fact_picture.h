@@ -11,7 +11,7 @@
 #include "gl/main_frame.h"
 #include "lua/box.h"
 
-namespace shadowlab::tests {
+namespace shadowlab::measure {
 
 /// What the buffers held at one moment; rows from the top, as the images have them.
 struct Snapshot {
@@ -40,13 +40,13 @@ void push_picture(lua_State* L, Frame frame);
 /// Makes Picture's metatable; once for a state.
 void open_picture(lua_State* L);
 
-}  // namespace shadowlab::tests
+}  // namespace shadowlab::measure
 
 namespace shadowlab::lua {
 template <>
-struct BoxTraits<tests::Picture> {
+struct BoxTraits<measure::Picture> {
   static constexpr const char* name = "picture";
-  static bool push_field(lua_State*, tests::Picture&, std::string_view);
+  static bool push_field(lua_State*, measure::Picture&, std::string_view);
   static std::span<const std::string_view> fields();
 };
 }  // namespace shadowlab::lua

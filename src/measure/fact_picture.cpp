@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "measure/fact_picture.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "image/difference.h"
 
-namespace shadowlab::tests {
+namespace shadowlab::measure {
 namespace {
 
 // The bottom left corner of rows that begin at the top.
@@ -141,12 +141,12 @@ void push_picture(lua_State* L, Frame frame) {
 
 void open_picture(lua_State* L) { lua::open_box<Picture>(L, methods); }
 
-}  // namespace shadowlab::tests
+}  // namespace shadowlab::measure
 
 namespace shadowlab::lua {
 
-bool BoxTraits<tests::Picture>::push_field(lua_State* L, tests::Picture& picture,
-                                           std::string_view key) {
+bool BoxTraits<measure::Picture>::push_field(lua_State* L, measure::Picture& picture,
+                                             std::string_view key) {
   if (key == "width" || key == "height") {
     const image::Image& color = picture.snapshot().color;
     lua_pushinteger(L, key == "width" ? color.width : color.height);
@@ -162,6 +162,8 @@ bool BoxTraits<tests::Picture>::push_field(lua_State* L, tests::Picture& picture
   return true;
 }
 
-std::span<const std::string_view> BoxTraits<tests::Picture>::fields() { return tests::field_names; }
+std::span<const std::string_view> BoxTraits<measure::Picture>::fields() {
+  return measure::field_names;
+}
 
 }  // namespace shadowlab::lua

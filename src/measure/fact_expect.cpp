@@ -1,4 +1,4 @@
-#include "expect.h"
+#include "measure/fact_expect.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "lua/state.h"
 #include "lua/value.h"
 
-namespace shadowlab::tests {
+namespace shadowlab::measure {
 namespace {
 
 std::string text_at(lua_State* L, int index) {
@@ -86,4 +86,4 @@ void open_expect(lua_State* L) {
   lua_register(L, "expect_error", lua::guarded<expect_error>);
 }
 
-}  // namespace shadowlab::tests
+}  // namespace shadowlab::measure

@@ -1,11 +1,11 @@
-#include "render.h"
+#include "measure/fact_render.h"
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "recipe/recipe.h"
 
-namespace shadowlab::tests {
+namespace shadowlab::measure {
 namespace {
 
 // A parameter's value as --set takes it.
@@ -85,4 +85,4 @@ Frame render(gl::Graphics& graphics, const std::filesystem::path& file,
   return frame;
 }
 
-}  // namespace shadowlab::tests
+}  // namespace shadowlab::measure

@@ -43,6 +43,7 @@ test("eight_times_in_8_bits_are_16_bands", function()
     if level > 240 then expect_equal(got, 241, "level " .. level) end
   end)
   expect_equal(#bands, 16)
+  naive("8 times in 8 bits are 16 bands", ramp("snorm8", 8))
 end)
 
 test("integers_drop_what_is_below_their_step_each_time", function()
@@ -71,6 +72,7 @@ test("white_in_16_bits_becomes_253_at_256_times_and_247_at_1024", function()
   expect_equal(ramp("snorm16", 8):color(0, 0), 255)
   expect_equal(ramp("snorm16", 256):color(0, 0), 253)
   expect_equal(ramp("snorm16", 1024):color(0, 0), 247)
+  naive("in 16 bits white becomes 253 at 256 times and 247 at 1024", ramp("snorm16", 1024))
 end)
 
 test("averaging_after_makes_white_black", function()
@@ -86,6 +88,7 @@ test("float32_gives_the_ramp_back_whatever_the_times", function()
       end)
     end
   end)
+  ours("float32 gives the ramp back at 1 to 1024 times", ramp("float32", 1024))
 end)
 
 -- A number of 11 bits: the nearest, ties to even, or the next toward zero. Which of the two, OpenGL 4.5,
@@ -125,3 +128,9 @@ test("all_storages_are_drawn_one_above_the_other", function()
     end
   end
 end)
+
+row{ case = 24, title = "Accumulation at N = 1 … 1024 in each storage", expected = "the exact round-off; white stays white where the storage allows it",
+     facts = { "white_in_16_bits_becomes_253_at_256_times_and_247_at_1024", "eight_times_in_8_bits_are_16_bands",
+               "integers_drop_what_is_below_their_step_each_time", "integers_wrap_around_when_averaged_after",
+               "averaging_after_makes_white_black", "float32_gives_the_ramp_back_whatever_the_times",
+               "float16_rounds_each_sum_to_11_bits" } }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "gl/graphics.h"
-#include "picture.h"
+#include "measure/fact_picture.h"
 
-namespace shadowlab::tests {
+namespace shadowlab::measure {
 
 /// How a test wants a recipe rendered.
 struct RenderOptions {
@@ -30,4 +30,4 @@ RenderOptions read_render_options(lua_State* L, int index);
 Frame render(gl::Graphics& graphics, const std::filesystem::path& recipe,
              const RenderOptions& options);
 
-}  // namespace shadowlab::tests
+}  // namespace shadowlab::measure

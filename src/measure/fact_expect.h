@@ -3,9 +3,9 @@
 
 #include <lua.hpp>
 
-namespace shadowlab::tests {
+namespace shadowlab::measure {
 
 /// Makes them globals.
 void open_expect(lua_State* L);
 
-}  // namespace shadowlab::tests
+}  // namespace shadowlab::measure

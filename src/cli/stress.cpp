@@ -1,0 +1,134 @@
+// shadowlab stress: the numerically hard cases.
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/progress.h"
+#include "cli/session.h"
+#include "core/error.h"
+#include "core/version.h"
+#include "measure/page.h"
+#include "measure/search.h"
+#include "measure/stress.h"
+
+namespace shadowlab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StressCommand {
+  std::vector<int> rows;
+  std::string folder;
+  std::uint64_t search = 0, seed = 1, first = 0;
+  std::vector<std::string> recipes;
+};
+
+// Those that claim to be exact wherever they hold.
+const std::vector<std::string> exact_recipes{"volumes_zfail", "volumes_auto",
+                                             "volumes_gpu",   "volumes_two_sided",
+                                             "planned",       "shadow_map_exact"};
+constexpr int search_size = 64;
+
+Answer search(const StressCommand& command) {
+  gl::Graphics graphics(context::create(), search_size, search_size);
+  measure::SearchOptions options;
+  options.seed = command.seed;
+  options.first = command.first;
+  options.trials = command.search;
+  for (const std::string& name : command.recipes.empty() ? exact_recipes : command.recipes)
+    options.recipes.push_back(find_recipe(name));
+  ProgressLine line;
+  const auto departures = measure::search(
+      graphics, options,
+      [&](const measure::Progress& progress) {
+        line.show(progress.done, progress.all, progress.what);
+      },
+      [&](const measure::Departure& departure) {
+        line.clear();
+        fmt::print("{}, trial {}: {}\n{}\n", departure.recipe, departure.index,
+                   departure.error.empty()
+                       ? fmt::format("{} pixels are wrong beyond an edge", departure.beyond_edge)
+                       : departure.error,
+                   measure::lua_of(departure.trial));
+        std::fflush(stdout);
+      });
+  line.clear();
+  fmt::print("{} trials of {} recipes, {} departures\n", options.trials, options.recipes.size(),
+             departures.size());
+  return departures.empty() ? Answer::yes : Answer::no;
+}
+
+void print(const measure::StressRow& row) {
+  fmt::print("{:>3}  {}  {}\n     expected   {}\n     listing    {}\n     shadowlab  {}\n",
+             row.hard.number, row.passes() ? "pass" : "FAIL", row.hard.title, row.hard.expected,
+             measure::naive_words(row), measure::our_words(row));
+}
+
+Answer run(const StressCommand& command) {
+  if (command.search > 0) return search(command);
+  const fs::path facts = home() / "tests" / "hard";
+  if (!fs::is_directory(facts)) {
+    throw MachineError(
+        fmt::format("the hard cases are in {}, which is not there; take the whole "
+                    "source of shadowlab",
+                    facts.string()));
+  }
+  const fs::path folder = command.folder;
+  if (!folder.empty()) {
+    make_folder(folder);
+    expect_writable(folder / "stress.json");
+  }
+  ProgressLine line;
+  const auto rows = measure::stress(facts, command.rows, [&](const measure::Progress& progress) {
+    line.show(progress.done, progress.all, progress.what);
+  });
+  line.clear();
+  Answer answer = Answer::yes;
+  for (const measure::StressRow& row : rows) {
+    print(row);
+    if (!row.passes()) answer = Answer::no;
+  }
+  if (folder.empty()) return answer;
+  measure::Json records = measure::Json::array();
+  for (const measure::StressRow& row : rows)
+    records.push_back(measure::record_of(row, measure::write_pictures(row, folder)));
+  write_text(folder / "stress.json", records.dump(1) + "\n");
+  write_text(folder / "stress.csv", measure::stress_csv(records));
+  write_text(folder / "stress.html", measure::stress_page(records, folder));
+  fmt::print("{} rows: {}\n", rows.size(), (folder / "stress.html").string());
+  return answer;
+}
+
+}  // namespace
+
+void add_stress(CLI::App& app, Answer& answer) {
+  CLI::App* command =
+      app.add_subcommand("stress", "The numerically hard cases: expected, naive, shadowlab");
+  auto options = std::make_shared<StressCommand>();
+  command->add_option("rows", options->rows, "The rows' numbers; all unless given")->type_name("N");
+  command
+      ->add_option("-o,--output", options->folder,
+                   "Write stress.csv, stress.json, stress.html and the pictures into this folder")
+      ->type_name("DIR");
+  command
+      ->add_option("--search", options->search,
+                   "Instead of the rows, look for departures from the truth in so many worlds "
+                   "made at random")
+      ->type_name("N");
+  command->add_option("--seed", options->seed, "Seed of those worlds")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--first", options->first, "The first world's number")->type_name("N");
+  command
+      ->add_option("--recipe", options->recipes,
+                   "Recipes to search with; those that claim to be exact unless given")
+      ->type_name("RECIPE")
+      ->allow_extra_args(false);
+  command->footer(
+      "Each row says what is exact, what the listing as a lecture prints it gives, and what "
+      "shadowlab gives.\nEnds with 1 where a row fails.\n\nExample:\n  shadowlab stress 6 11 -o "
+      "out/stress");
+  command->callback([options, &answer] { answer = run(*options); });
+}
+
+}  // namespace shadowlab::cli

@@ -1,0 +1,14 @@
+// The clock that all times are taken by.
+#pragma once
+
+#include <chrono>
+
+namespace shadowlab::measure {
+
+/// Milliseconds since some fixed moment.
+inline double now() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace shadowlab::measure
