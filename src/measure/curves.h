@@ -28,6 +28,7 @@ struct CurveOptions {
   std::vector<std::filesystem::path> recipes;
   std::string scene;             ///< of the curves of pixels
   std::vector<int> sides;        ///< pictures of side² pixels
+  int side = 256;                ///< likewise, of the other curves
   std::vector<int> divisions;    ///< of a sphere, 4 n² triangles
   std::filesystem::path lights;  ///< the recipe that takes several lights
   std::vector<int> light_counts;

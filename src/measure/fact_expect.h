@@ -1,7 +1,7 @@
 // What tests written in Lua expect with: expect, expect_equal, expect_near, expect_error.
 #pragma once
 
-#include <lua.hpp>
+#include "lua/state.h"
 
 namespace shadowlab::measure {
 
