@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/session.h"
 #include "core/error.h"
+#include "core/version.h"
 #include "image/image.h"
 #include "measure/check.h"
 
@@ -59,6 +60,23 @@ std::string wrong_views(const measure::CheckResult& row) {
   return text;
 }
 
+// Absent: the recipe's own. "all" stands for each of the catalogue.
+std::vector<std::optional<std::string>> scenes_of(const CheckCommand& command) {
+  if (command.scenes.empty()) return {std::nullopt};
+  std::vector<std::optional<std::string>> scenes;
+  for (const std::string& name : command.scenes) {
+    if (name != "all") {
+      scenes.emplace_back(name);
+      continue;
+    }
+    for (const auto& file : std::filesystem::directory_iterator(home() / "scripts" / "scenes")) {
+      if (file.path().extension() == ".lua") scenes.emplace_back(file.path().stem().string());
+    }
+  }
+  std::ranges::sort(scenes);
+  return scenes;
+}
+
 Answer check(const CheckCommand& command) {
   if (command.views < 1 || command.views > 100000)
     throw InputError("--views takes a number from 1 to 100000");
@@ -71,8 +89,7 @@ Answer check(const CheckCommand& command) {
       if (is_checked(graphics, recipe)) recipes.push_back(recipe);
     }
   }
-  std::vector<std::optional<std::string>> scenes(command.scenes.begin(), command.scenes.end());
-  if (scenes.empty()) scenes.emplace_back();
+  const auto scenes = scenes_of(command);
 
   Answer answer = Answer::yes;
   fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>9}  {}\n", "recipe", "scene",
@@ -113,8 +130,9 @@ void add_check(CLI::App& app, Answer& answer) {
                    "Recipes; all that are held against a truth unless given")
       ->type_name("RECIPE");
   command
-      ->add_option("--scene", options->scenes,
-                   "Scenes in place of the recipes' own; may be repeated")
+      ->add_option(
+          "--scene", options->scenes,
+          "Scenes in place of the recipes' own; may be repeated; all for each of the catalogue")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command->add_option("--set", options->settings, "Set a parameter, as in --set light=2,4,1")
