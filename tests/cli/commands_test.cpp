@@ -1,6 +1,7 @@
 // The other commands, and the command line itself.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -45,6 +46,15 @@ std::string pass_of(const std::string& trace, int number) {
   const auto heading = [&](int n) { return trace.find("/* " + std::to_string(n) + ". "); };
   const std::size_t begin = heading(number), end = heading(number + 1);
   return begin == std::string::npos ? "" : trace.substr(begin, end - begin);
+}
+
+TEST_F(Cli, check_of_all_scenes_has_a_row_for_each) {
+  const Ended ended = run("check shadow_map_fbo --scene all --size 8");
+  const Ended listed = run("list scenes");
+  EXPECT_LE(ended.code, 1) << ended.err;
+  // The check has a heading.
+  EXPECT_EQ(std::ranges::count(ended.out, '\n'), 1 + std::ranges::count(listed.out, '\n'))
+      << ended.out << listed.out;
 }
 
 TEST_F(Cli, trace_prints_the_lectures_calls_pass_by_pass) {
