@@ -160,8 +160,14 @@ void Screen::draw(const ScreenTriangles& triangles) {
     const int top = pixel(batch.clip[1], height_), bottom = pixel(batch.clip[3], height_);
     if (batch.count == 0 || right <= left || bottom <= top) continue;
     gl.Scissor.unrecorded(left, height_ - bottom, right - left, bottom - top);
-    set_words(uniforms_, *program_, "opaque",
-              {batch.alpha == ScreenBatch::Alpha::ignored ? 1.0f : 0.0f});
+    const bool opaque = batch.alpha == ScreenBatch::Alpha::ignored;
+    set_words(uniforms_, *program_, "opaque", {opaque ? 1.0f : 0.0f});
+    // Without blending a picture takes half the time in software.
+    if (opaque) {
+      gl.Disable.unrecorded(GL_BLEND);
+    } else {
+      gl.Enable.unrecorded(GL_BLEND);
+    }
     program_->use(uniforms_);
     gl.BindTexture.unrecorded(GL_TEXTURE_2D, batch.texture);
     constexpr GLsizei stride = sizeof(ScreenVertex);

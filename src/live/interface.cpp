@@ -84,15 +84,18 @@ ImVec4 color(unsigned rgb, float alpha = 1) {
           static_cast<float>(rgb & 255) / 255, alpha};
 }
 
+unsigned ground_rgb(Style style) { return style == Style::projector ? 0x000000 : 0x1B1D21; }
+
 void set_colors(Style style) {
   ImGui::StyleColorsDark();
   auto& colors = ImGui::GetStyle().Colors;
   const bool projector = style == Style::projector;
-  const unsigned ground = projector ? 0x000000 : 0x1B1D21, raised = projector ? 0x2A2A2A : 0x2B2F36,
+  const unsigned ground = ground_rgb(style), raised = projector ? 0x2A2A2A : 0x2B2F36,
                  high = projector ? 0x3F3F3F : 0x3A404A, accent = projector ? 0xFFC400 : 0x4C9BE8;
   colors[ImGuiCol_Text] = color(projector ? 0xFFFFFF : 0xE6E8EB);
   colors[ImGuiCol_TextDisabled] = color(projector ? 0xC8C8C8 : 0x98A0AB);
-  colors[ImGuiCol_WindowBg] = color(ground);
+  // The window's own background is theirs: a panel fills no pixel twice.
+  colors[ImGuiCol_WindowBg] = color(ground, 0);
   colors[ImGuiCol_PopupBg] = color(ground, 0.97f);
   colors[ImGuiCol_Border] = color(high);
   for (const int i : {ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header, ImGuiCol_Tab})
@@ -110,6 +113,11 @@ void set_colors(Style style) {
 }
 
 }  // namespace
+
+std::array<float, 3> ground_of(Style style) {
+  const ImVec4 ground = color(ground_rgb(style));
+  return {ground.x, ground.y, ground.z};
+}
 
 ImTextureID texture_id(const gl::ShownPicture& picture, gl::ScreenBatch::Alpha alpha) {
   const std::uintptr_t bit = alpha == gl::ScreenBatch::Alpha::ignored ? 1 : 0;

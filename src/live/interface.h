@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace shadowlab::live {
 
 /// How panels look: on a desk, or on a projector across a room.
 enum class Style { desk, projector };
+/// The colour that the window is filled with: panels have none of their own.
+std::array<float, 3> ground_of(Style style);
 
 class Interface {
  public:

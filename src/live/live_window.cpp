@@ -13,7 +13,6 @@ namespace shadowlab::live {
 namespace {
 
 constexpr double frame = 1.0 / 60;
-constexpr std::array<float, 3> desk{0.075f, 0.08f, 0.09f}, black{0, 0, 0};
 
 double now() {
   using namespace std::chrono;
@@ -74,7 +73,7 @@ class LiveWindow {
     interface_.set_style(view_.style, window_.scale());
     interface_.begin(size, seconds);
     draw_window(studio_, view_, interface_);
-    screen_.begin(size.width, size.height, view_.style == Style::desk ? desk : black);
+    screen_.begin(size.width, size.height, ground_of(view_.style));
     interface_.end(screen_);
     if (std::exchange(view_.window_shot, false)) save_window();
     window_.swap();

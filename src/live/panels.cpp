@@ -122,6 +122,12 @@ void draw_window(Studio& studio, View& view, const Interface& interface) {
   draw_picture(studio, view, interface, areas[studio.focus()]);
   if (areas.size() > 1) draw_border(areas[studio.focus()]);
   if (places.left.width > 0) {
+    for (const double x : {places.middle.x, places.middle.x + places.middle.width}) {
+      ImGui::GetBackgroundDrawList()->AddLine(
+          {static_cast<float>(x), 0},
+          {static_cast<float>(x), static_cast<float>(places.middle.height)},
+          ImGui::GetColorU32(ImGuiCol_Separator));
+    }
     if (begin_place("parameters", places.left)) draw_parameters(studio, view);
     ImGui::End();
     if (begin_place("passes", places.right)) draw_passes(studio, view, interface);
@@ -178,6 +184,7 @@ void draw_help(Studio& studio, View& view) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x, size.y});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyle().Colors[ImGuiCol_PopupBg]);
   ImGui::Begin(
       "Keys", &view.help,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
@@ -199,6 +206,7 @@ void draw_help(Studio& studio, View& view) {
     ImGui::EndTable();
   }
   ImGui::End();
+  ImGui::PopStyleColor();
 }
 
 }  // namespace shadowlab::live

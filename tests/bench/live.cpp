@@ -1,7 +1,7 @@
 // What the live window costs, without a window: the same panels into the framebuffer of an OSMesa
 // context of 1280x800.
 //
-//   bench_live
+//   bench_live [latency|share|memory]
 //
 // Prints the time from saving a recipe to its new picture, while the files are looked at 60 times a
 // second (target 100 ms); the interface's share of a frame (target 10 %), frames with and without
@@ -154,15 +154,24 @@ void print_memory(const std::string& recipe) {
 }  // namespace
 }  // namespace shadowlab::live
 
-int main() {
+int main(int argc, char** argv) {
   using namespace shadowlab::live;
-  fmt::print("from saving to the picture, ms\n{:<20}  {:>8}  {:>8}\n", "recipe", "median", "most");
-  for (const char* recipe : {"projected_stencil", "volumes_zfail", "shadow_map_fbo"})
-    print_latency(recipe);
-  fmt::print("\na frame of {}x{} in a window of {}x{}, ms\n{:<20}  {:>8}  {:>9}  {:>7}\n", picture,
-             picture, width, height, "recipe", "recipe", "interface", "share");
-  for (const char* recipe : {"projected_stencil", "volumes_zfail", "shadow_map_fbo", "room"})
-    print_share(recipe);
-  fmt::print("\nresident memory, MB\n{:<20}  {:>8}  {:>8}\n", "recipe", "100", "1000");
-  print_memory("projected_stencil");
+  const auto wanted = [&](std::string_view part) { return argc < 2 || part == argv[1]; };
+  if (wanted("latency")) {
+    fmt::print("from saving to the picture, ms\n{:<20}  {:>8}  {:>8}\n", "recipe", "median",
+               "most");
+    for (const char* recipe : {"projected_stencil", "volumes_zfail", "shadow_map_fbo"})
+      print_latency(recipe);
+  }
+  if (wanted("share")) {
+    fmt::print("a frame of {}x{} in a window of {}x{}, ms\n{:<20}  {:>8}  {:>9}  {:>7}\n", picture,
+               picture, width, height, "recipe", "recipe", "interface", "share");
+    for (const char* recipe : {"projected_stencil", "volumes_zfail", "shadow_map_fbo", "room"})
+      print_share(recipe);
+  }
+  if (wanted("memory")) {
+    fmt::print("resident memory after so many reloads, MB\n{:<20}  {:>8}  {:>8}\n", "recipe", "100",
+               "1000");
+    print_memory("projected_stencil");
+  }
 }
