@@ -36,7 +36,8 @@ bool limit(__rlimit_resource which, rlim_t most) {
 // The address space that this process has now, in bytes.
 rlim_t address_space() {
   rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
+  // Where there is no /proc: more than a driver takes.
+  if (!(std::ifstream("/proc/self/statm") >> pages)) return rlim_t{1} << 30;
   return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
 }
 
@@ -99,8 +100,8 @@ Layers lock_in(const Lock& lock) {
   Layers layers;
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);  // no process of the same user looks into it
+  layers.limits = set_limits(lock);      // while it may still read how much memory it has
   layers.landlock = set_file_rules(lock);
-  layers.limits = set_limits(lock);
   layers.filter = filter_system_calls();
   return layers;
 }

@@ -21,6 +21,11 @@ inline constexpr double slowness = 4;
 inline constexpr double slowness = 1;
 #endif
 
+/// The limits of a worker for honest submissions.
+inline lab::Isolation isolation() {
+  return {.seconds = 20 * slowness, .width = 16, .height = 8, .program = SHADOWLAB_PROGRAM};
+}
+
 class InFolder : public testing::Test {
  protected:
   InFolder() {
@@ -76,10 +81,6 @@ return recipe)"),
         }
       }
     }
-  }
-
-  static lab::Isolation isolation() {
-    return {.seconds = 20 * slowness, .width = 16, .height = 8, .program = SHADOWLAB_PROGRAM};
   }
 
   std::filesystem::path folder;

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using sandbox_tests::isolation;
+
 class WorkerTest : public sandbox_tests::InFolder {};
 
 Job job_of(const fs::path& recipe, int size = 64) {

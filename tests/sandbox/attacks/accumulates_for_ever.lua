@@ -1,0 +1,8 @@
+-- Accumulates for ever.
+-- expect: recipe error
+-- says: for more than
+return {
+  draw = function(r)
+    while true do gl.Accum(gl.ACCUM, 1.0) end
+  end,
+}

@@ -1,0 +1,4 @@
+Lua
+-- Is compiled Lua.
+-- expect: recipe error
+-- says: compiled

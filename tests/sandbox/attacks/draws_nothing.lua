@@ -1,0 +1,7 @@
+-- Draws nothing.
+-- expect: finished
+return {
+  draw = function(r)
+
+  end,
+}

@@ -1,0 +1,8 @@
+-- Dumps a function.
+-- expect: recipe error
+-- says: dump
+return {
+  draw = function(r)
+    string.dump(function() end)
+  end,
+}

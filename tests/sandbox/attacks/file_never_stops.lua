@@ -1,0 +1,4 @@
+-- Never stops before it returns a recipe.
+-- expect: recipe error
+-- says: for more than
+while true do end

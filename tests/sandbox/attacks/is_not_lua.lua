@@ -1,0 +1,3 @@
+-- Is not Lua.
+-- expect: recipe error
+<?php system("id"); ?>

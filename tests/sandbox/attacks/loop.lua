@@ -1,0 +1,8 @@
+-- Never stops.
+-- expect: recipe error
+-- says: for more than
+return {
+  draw = function(r)
+    while true do end
+  end,
+}

@@ -1,0 +1,8 @@
+-- Never stops, inside of pcall.
+-- expect: recipe error
+-- says: for more than
+return {
+  draw = function(r)
+    while true do pcall(function() while true do end end) end
+  end,
+}

@@ -1,0 +1,7 @@
+-- Changes what all strings do.
+-- expect: recipe error
+return {
+  draw = function(r)
+    getmetatable("").__index = function() return "owned" end
+  end,
+}

@@ -1,0 +1,8 @@
+-- A pattern of 2^40 ways to fail.
+-- expect: recipe error
+-- says: for more than
+return {
+  draw = function(r)
+    return ("a"):rep(40):find(("a?"):rep(40) .. ("a"):rep(40))
+  end,
+}

@@ -1,0 +1,8 @@
+-- Reads pixels for ever.
+-- expect: recipe error
+-- says: for more than
+return {
+  draw = function(r)
+    while true do gl.ReadPixels(0, 0, r.width, r.height, gl.RGBA, gl.FLOAT) end
+  end,
+}

@@ -1,0 +1,8 @@
+-- Requires what is above its folder.
+-- expect: recipe error
+-- says: letters
+return {
+  draw = function(r)
+    require "../secret"
+  end,
+}

@@ -1,0 +1,4 @@
+-- Requires itself.
+-- expect: recipe error
+-- says: circle
+require "require_of_itself"

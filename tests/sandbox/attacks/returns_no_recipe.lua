@@ -1,0 +1,4 @@
+-- Returns no recipe.
+-- expect: recipe error
+-- says: returns
+return 42
