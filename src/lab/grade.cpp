@@ -206,6 +206,7 @@ class Grading {
   Job job_of(const Staged& staged, std::vector<Shot> shots) const {
     Job job;
     job.recipe = staged.recipe();
+    job.beside = staged.beside();
     job.width = lab_.width;
     job.height = lab_.height;
     job.passes = true;

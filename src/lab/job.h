@@ -41,6 +41,8 @@ inline constexpr std::size_t most_passes = 64, most_calls = 20'000;
 
 struct Job {
   std::filesystem::path recipe;
+  /// Files that belong to it, relative to its folder: shaders, modules, meshes.
+  std::vector<std::filesystem::path> beside = {};
   int width = 256, height = 256;  ///< pixels
   std::vector<Shot> shots = {};
   bool passes = false;  ///< also what is in the buffers after each pass, and every GL call

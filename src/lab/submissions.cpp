@@ -206,6 +206,7 @@ Staged::Staged(const Submission& submission)
     const fs::path to = folder_ / file.lexically_relative(submission.folder);
     fs::create_directories(to.parent_path());
     copy(file, to);
+    if (to != recipe_) beside_.push_back(to.lexically_relative(folder_));
   }
 }
 

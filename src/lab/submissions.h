@@ -57,6 +57,8 @@ class Staged {
   Staged& operator=(const Staged&) = delete;
 
   const std::filesystem::path& recipe() const { return recipe_; }
+  /// The other files, relative to the folder.
+  const std::vector<std::filesystem::path>& beside() const { return beside_; }
   const std::filesystem::path& folder() const { return folder_; }
   std::uint64_t digest() const { return digest_; }
 
@@ -64,6 +66,7 @@ class Staged {
   void copy(const std::filesystem::path& from, const std::filesystem::path& to);
 
   std::filesystem::path folder_, recipe_;
+  std::vector<std::filesystem::path> beside_;
   std::uint64_t digest_;
   std::uintmax_t bytes_ = 0;
 };

@@ -163,9 +163,12 @@ std::vector<Change> changes_to(const StateDifference& difference, std::span<cons
     const Work& other = *others[std::min(i, others.size() - 1)];
     if (!add(mine[i]->call, value(other.state, difference.key))) return {};
   }
+  // It holds until the submission sets it anew, as its own value did.
+  const auto last = value(mine.back()->state, difference.key);
   for (const Work& after : your_works) {
-    if (after.call <= mine.back()->call) continue;
-    if (!add(after.call, value(after.state, difference.key))) return {};
+    const auto now = value(after.state, difference.key);
+    if (after.call <= mine.back()->call || now == last) continue;
+    if (!add(after.call, now)) return {};
     break;
   }
   return changes;

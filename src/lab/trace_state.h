@@ -41,8 +41,8 @@ struct StateDifference {
 std::vector<StateDifference> differences(std::span<const Work> your_works, int yours,
                                          std::span<const Work> their_works, int theirs);
 
-/// What replaces one state by the reference's in one pass alone: put before each draw of pass
-/// `yours` where it differs, and taken back after the pass. Empty where no call of numbers and
+/// What replaces one state by the reference's in one pass: put before each draw of pass `yours`,
+/// and taken back where the submission sets it anew. Empty where no call of numbers and
 /// names can say it.
 std::vector<Change> changes_to(const StateDifference& difference, std::span<const Work> your_works,
                                int yours, std::span<const Work> their_works, int theirs);

@@ -88,6 +88,16 @@ std::optional<std::string> copy_recipe(const fs::path& from, const fs::path& to)
   return std::nullopt;
 }
 
+// The recipe and what belongs to it.
+std::optional<std::string> copy_all(const Job& job, const fs::path& folder) {
+  if (auto problem = copy_recipe(job.recipe, folder / job.recipe.filename())) return problem;
+  for (const fs::path& file : job.beside) {
+    fs::create_directories((folder / file).parent_path());
+    if (auto problem = copy_recipe(job.recipe.parent_path() / file, folder / file)) return problem;
+  }
+  return std::nullopt;
+}
+
 // Ends with the last who uses it.
 struct Running {
   explicit Running(Launched started) : launched(std::move(started)) {}
@@ -115,7 +125,7 @@ class Worker::Impl {
     const Folder folder(make_folder_of_one(submissions_.path()));
     Job job = given;
     job.recipe = given.recipe.filename();
-    if (auto problem = copy_recipe(given.recipe, folder.path() / job.recipe)) {
+    if (auto problem = copy_all(given, folder.path())) {
       outcome.verdict = Verdict::recipe_error;
       outcome.sentence = std::move(*problem);
     } else {
