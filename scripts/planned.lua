@@ -11,7 +11,11 @@ local recipe = {
   lecture = "004_502e9deeb91da7bb: Suivant les cas, on utilisera z-pass ou z-fail",
   scene   = "city",
   truth   = "hard",
-  params  = { light = param.direction(0.7, 0.75, 0.3), darkness = param.number(0.25, 0, 1) },
+  params  = {
+    light    = param.direction(0.7, 0.75, 0.3),
+    darkness = param.number(0.25, 0, 1),
+    plan     = param.toggle(true),   -- false: the same passes of all of the scene
+  },
 }
 
 function recipe.setup(r)
@@ -21,12 +25,21 @@ function recipe.setup(r)
   r.quad = mesh.quad()
 end
 
+-- What a frame draws that has no plan, in a plan's form.
+local function everything(r)
+  local whole = { 0, 0, r.width, r.height }
+  local all = { casters = r.scene.casters, needs = {}, scissor = whole,
+                seen = r.scene.objects, shadowed = r.scene.objects }
+  for _, caster in ipairs(all.casters) do all.needs[caster] = { zfail = true, scissor = whole } end
+  return all
+end
+
 function recipe.draw(r)
   local scene, light, camera = r.scene, r.params.light, r.scene.camera
   local view = camera:view()
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
-  local plan = shadow.plan(scene, camera, light)
+  local plan = r.params.plan and shadow.plan(scene, camera, light) or everything(r)
   local batches = batches_of(plan.casters, light)
   local volumes = {}
 

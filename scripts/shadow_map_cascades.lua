@@ -74,7 +74,7 @@ end
 function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_cascades"
-  r.layers, r.frames = map_array(r.params.size, r.params.count)
+  r.frames = {}
 end
 
 function recipe.draw(r)
@@ -83,25 +83,28 @@ function recipe.draw(r)
   local view, projection = camera:view(), camera:projection(r.width / r.height)
   local to_texture, from_eye = shadow.bias_matrix(), view:inverse()
   local matrices, ends = {}, {}
+  local layers = map_array.layers_of(r, size, maps)
 
   for i, map in ipairs(maps) do
-    pass("1. map " .. i .. " of " .. #maps, function()
-      local casters = map.casters and all_of(map.casters) or scene.caster
-      map_pass.draw(r, r.frames[i], size, casters, r.depth, map.view, map.projection,
-                    shadow.map_bias(map.projection, size))
-    end)
+    if layers[i] >= 0 then
+      pass("1. map " .. i .. " of " .. #maps, function()
+        local casters = map.casters and all_of(map.casters) or scene.caster
+        map_pass.draw(r, r.frames[layers[i] + 1], size, casters, r.depth, map.view, map.projection,
+                      shadow.map_bias(map.projection, size))
+      end)
+    end
     matrices[i] = to_texture * map.projection * map.view * from_eye
     ends[i] = map.far
   end
-  for i = #maps + 1, 4 do matrices[i], ends[i] = mat4.identity(), 0 end
+  for i = #maps + 1, 4 do matrices[i], ends[i], layers[i] = mat4.identity(), 0, -1 end
 
   pass("2. the scene", function()
-    gl.BindTexture(gl.TEXTURE_2D_ARRAY, r.layers)
+    if r.layers then gl.BindTexture(gl.TEXTURE_2D_ARRAY, r.layers) end
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_maps = 0, tint = r.params.tint,
-      light_matrices = matrices, ends = ends, count = #maps,
+      light_matrices = matrices, ends = ends, layers = layers, count = #maps,
       choice = ({ view = 0, camera = 1, groups = 2 })[r.params.by],
     })
   end)

@@ -4,6 +4,7 @@
 uniform sampler2DArrayShadow shadow_maps;
 uniform mat4 light_matrices[4];     // eye space to each map's (s, t, p, q)
 uniform float ends[4];              // how far along the view each part reaches
+uniform int layers[4] = int[4](0, 1, 2, 3);  // of each map; -1: nothing is in shadow there
 uniform int count = 1;
 uniform int choice = 0;             // 0: by depth; 1: the first that holds it; 2: all of them
 uniform bool tint = false;
@@ -16,9 +17,10 @@ bool holds(vec4 c) {
 }
 
 float seen_by(int i) {
+  if (layers[i] < 0) return 1.0;
   vec4 c = coordinate(i);
   if (c.q <= 0.0 || c.p > c.q) return 1.0;  // behind the light, or farther than the map knows
-  return texture(shadow_maps, vec4(c.st / c.q, float(i), c.p / c.q));
+  return texture(shadow_maps, vec4(c.st / c.q, float(layers[i]), c.p / c.q));
 }
 
 void main() {

@@ -1,5 +1,8 @@
--- Depth maps in the layers of one array texture, and a framebuffer for each.
-return function(size, count)
+-- Depth maps in the layers of one array texture, and a framebuffer for each; one of each for every map
+-- that is read.
+local map_array = {}
+
+local function make(size, count)
   local maps = gl.GenTextures(1)
   gl.BindTexture(gl.TEXTURE_2D_ARRAY, maps)
   gl.TexImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.DEPTH_COMPONENT24, size, size, count, 0,
@@ -21,3 +24,23 @@ return function(size, count)
   gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
   return maps, frames
 end
+
+-- Of each of the maps, which layer it is, from 0; -1 where nobody reads it, and it has none. r.layers and
+-- r.frames are made for as many as are read, and made anew where that are more than before.
+function map_array.layers_of(r, size, maps)
+  local layers, read = {}, 0
+  for i, map in ipairs(maps) do
+    layers[i] = map.read == false and -1 or read
+    if map.read ~= false then read = read + 1 end
+  end
+  if read > #r.frames then
+    if r.layers then
+      gl.DeleteTextures(1, r.layers)
+      gl.DeleteFramebuffers(#r.frames, table.unpack(r.frames))
+    end
+    r.layers, r.frames = make(size, read)
+  end
+  return layers
+end
+
+return map_array

@@ -103,8 +103,10 @@ void add_run(CLI::App& app, Answer& answer) {
   command->add_flag(
       "--explain", options->explain,
       "Print what each pass of the last frame drew, and each decision with its reason");
-  command->add_flag("--plan", options->plan,
-                    "Draw without the casters whose shadows reach nothing that is seen");
+  command->add_flag(
+      "--plan", options->plan,
+      "Leave out what changes no pixel: volumes and casters of maps whose shadows reach "
+      "nothing that is seen; --explain says what was saved");
   command->footer(
       "Example:\n  shadowlab run projected_stencil -o out.png --set light=1,3,2 --captures passes");
   auto session = std::make_shared<std::unique_ptr<Session>>();

@@ -3,6 +3,7 @@
 
 #include "lua/boxes.h"
 #include "lua/modules.h"
+#include "lua/planned.h"
 #include "shadow/cascades.h"
 #include "shadow/light_view.h"
 #include "shadow/map_bias.h"
@@ -81,9 +82,13 @@ std::vector<std::size_t> read_casters(lua_State* L, const SceneBox& scene) {
   return casters;
 }
 
+struct FittedTo {
+  shadow::MapContent content;
+  bool in_view = true;
+};
+
 // { fit = "view" | "scene", casters = {object, …} } at `index`.
-shadow::MapContent read_content(lua_State* L, int index, const char* function,
-                                const SceneBox& scene) {
+FittedTo read_fit(lua_State* L, int index, const char* function, const SceneBox& scene) {
   static constexpr std::string_view names[] = {"fit", "casters"};
   bool in_view = true;
   std::optional<std::vector<std::size_t>> casters;
@@ -94,7 +99,7 @@ shadow::MapContent read_content(lua_State* L, int index, const char* function,
   auto content = in_view ? shadow::content_in_view(*scene, scene->camera, Stage::of(L).aspect())
                          : shadow::whole_content(*scene);
   content.casters = std::move(casters);
-  return content;
+  return {std::move(content), in_view};
 }
 
 void set_number(lua_State* L, const char* name, double value) {
@@ -102,15 +107,13 @@ void set_number(lua_State* L, const char* name, double value) {
   lua_setfield(L, -2, name);
 }
 
-// A table { view = , projection = , near = , far = }.
-void push_view(lua_State* L, const shadow::LightView& view, double near, double far) {
+// A table { view = , projection = }.
+void push_view(lua_State* L, const shadow::LightView& view) {
   lua_newtable(L);
   push(L, view.view);
   lua_setfield(L, -2, "view");
   push(L, view.projection);
   lua_setfield(L, -2, "projection");
-  set_number(L, "near", near);
-  set_number(L, "far", far);
 }
 
 // ---- the functions
@@ -118,7 +121,11 @@ void push_view(lua_State* L, const shadow::LightView& view, double near, double 
 int light_view(lua_State* L) {
   const auto light = light_argument(L, 1, "light_view");
   const SceneBox& scene = scene_argument(L, 2, "light_view");
-  const auto view = shadow::light_view(light, *scene, read_content(L, 3, "light_view", scene));
+  const FittedTo fit = read_fit(L, 3, "light_view", scene);
+  const auto view = shadow::light_view(light, *scene, fit.content);
+  // A map of the whole scene may be kept for what another camera sees.
+  if (const auto& planned = Stage::of(L).planned; planned && fit.in_view)
+    planned->add_map({scene, light, view.view, view.projection});
   push(L, view.view);
   push(L, view.projection);
   lua_pushnumber(L, view.near);
@@ -132,6 +139,8 @@ int map_bias(lua_State* L) {
   const double filter =
       lua_isnoneornil(L, 3) ? 1 : read<double>(L, 3, "argument 3 of shadow.map_bias (the filter)");
   const auto bias = shadow::map_bias(projection, size, filter);
+  if (const auto& planned = Stage::of(L).planned)
+    planned->add_lookup(projection, static_cast<int>(size), filter);
   lua_newtable(L);
   set_number(L, "factor", bias.factor);
   set_number(L, "units", bias.units);
@@ -141,12 +150,14 @@ int map_bias(lua_State* L) {
 }
 
 int cube_faces(lua_State* L) {
-  const auto faces = shadow::cube_faces(light_argument(L, 1, "cube_faces"),
-                                        read<double>(L, 2, "argument 2 of shadow.cube_faces"),
-                                        read<double>(L, 3, "argument 3 of shadow.cube_faces"));
+  const glm::dvec4 light = light_argument(L, 1, "cube_faces");
+  const auto faces =
+      shadow::cube_faces(light, read<double>(L, 2, "argument 2 of shadow.cube_faces"),
+                         read<double>(L, 3, "argument 3 of shadow.cube_faces"));
+  if (const auto& planned = Stage::of(L).planned) planned->add_cube_faces(light, faces);
   lua_newtable(L);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    push_view(L, faces[i], faces[i].near, faces[i].far);
+    push_view(L, faces[i]);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   return 1;
@@ -155,7 +166,9 @@ int cube_faces(lua_State* L) {
 int cube_range(lua_State* L) {
   const auto light = light_argument(L, 1, "cube_range");
   const SceneBox& scene = scene_argument(L, 2, "cube_range");
-  const auto range = shadow::cube_range(light, *scene, read_content(L, 3, "cube_range", scene));
+  const FittedTo fit = read_fit(L, 3, "cube_range", scene);
+  if (const auto& planned = Stage::of(L).planned) planned->add_cube(scene, light, fit.in_view);
+  const auto range = shadow::cube_range(light, *scene, fit.content);
   lua_pushnumber(L, range.near);
   lua_pushnumber(L, range.far);
   return 2;
@@ -165,7 +178,7 @@ int faces_needed(lua_State* L) {
   const auto light = light_argument(L, 1, "faces_needed");
   const SceneBox& scene = scene_argument(L, 2, "faces_needed");
   const auto needed =
-      shadow::faces_needed(light, *scene, read_content(L, 3, "faces_needed", scene));
+      shadow::faces_needed(light, *scene, read_fit(L, 3, "faces_needed", scene).content);
   lua_newtable(L);
   for (std::size_t i = 0; i < needed.size(); ++i) {
     lua_pushboolean(L, needed[i]);
@@ -196,6 +209,18 @@ int depth_present(lua_State* L) {
   return 2;
 }
 
+// Whether anybody reads the map: all are read, unless the frame is planned.
+bool is_read(lua_State* L, const SceneBox& scene, glm::dvec4 light, const shadow::LightView& view,
+             std::optional<shadow::DepthRange> part, std::optional<int> size) {
+  Stage& stage = Stage::of(L);
+  if (!stage.planned) return true;
+  Planned::Map& map = stage.planned->add_map({scene, light, view.view, view.projection, part});
+  if (!size) return true;
+  constexpr double hardware_filter = 2;  // texels: the widest single lookup
+  map.skipped = !stage.planned->needs_of(map, *size, hardware_filter, stage.picture_size()).read();
+  return !map.skipped;
+}
+
 int cascades(lua_State* L) {
   using Fit = shadow::CascadeOptions::Fit;
   const auto& box = read_box<CameraBox>(L, 1, "argument 1 of shadow.cascades (the camera)");
@@ -203,12 +228,13 @@ int cascades(lua_State* L) {
   const int count = integer_argument(L, 3, "cascades", 1, 64);
   shadow::CascadeOptions options;
   shadow::DepthRange range{box.camera().near, box.camera().far};
-  bool stable = false, around_camera = false;
+  bool stable = false, around_camera = false, sized = false;
   static constexpr std::string_view names[] = {"lambda", "stable", "around", "size", "near", "far"};
   each_option(L, 4, "cascades", names, [&](std::string_view key) {
     if (key == "lambda") options.lambda = number_option(L, key);
     if (key == "stable") stable = lua_toboolean(L, -1);
     if (key == "around") around_camera = is_first_of(L, key, "camera", "parts");
+    sized = sized || key == "size";
     if (key == "size") options.size = integer_argument(L, lua_gettop(L), "cascades", 1, 16384);
     if (key == "near") range.near = number_option(L, key);
     if (key == "far") range.far = number_option(L, key);
@@ -218,7 +244,18 @@ int cascades(lua_State* L) {
                                          count, range, options);
   lua_newtable(L);
   for (std::size_t i = 0; i < cascades.size(); ++i) {
-    push_view(L, cascades[i].light, cascades[i].near, cascades[i].far);
+    const auto& [near, far, view] = cascades[i];
+    push_view(L, view);
+    set_number(L, "near", near);
+    set_number(L, "far", far);
+    // Those around the camera are read where they reach, the others where a part does: the first
+    // from the eye on.
+    std::optional<shadow::DepthRange> part;
+    if (!around_camera) part = {i == 0 ? std::min(near, box.camera().near) : near, far};
+    const bool read = is_read(L, box.scene, light, view, part,
+                              sized ? std::optional(options.size) : std::nullopt);
+    lua_pushboolean(L, read);
+    lua_setfield(L, -2, "read");
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   return 1;
@@ -261,9 +298,11 @@ constexpr Entry functions[] = {
     {"cascades",
      "shadow.cascades(camera, light, n, {lambda = 0.5, stable = false, around = "
      "\"parts\"|\"camera\", size = 1024, near = , far = }) -> { {near = , far = , view = , "
-     "projection = }, … }",
-     "n maps for the camera's view: where each part of it begins and ends, and the light's view of "
-     "it. Stable ones do not swim as the camera moves; around = \"camera\" are concentric ones. "
+     "projection = , read = boolean}, … }",
+     "n maps for the camera's view: where each part of it begins and ends, the light's view of it, "
+     "and whether anybody reads it: all are read, but under run --plan those alone that can show a "
+     "shadow, if size is given, to lookups of up to 2 texels. Stable ones do not swim as the "
+     "camera moves; around = \"camera\" are concentric ones. "
      "Both move in whole texels of a map of size × size and take a light at infinity.",
      guarded<cascades>},
 };

@@ -4,6 +4,7 @@
 #include "lua/boxes.h"
 #include "lua/modules.h"
 #include "lua/plan_words.h"
+#include "shadow/map_needs.h"
 #include "shadow/plan.h"
 
 namespace shadowlab::lua {
@@ -40,6 +41,48 @@ void push_need(lua_State* L, const shadow::Plan::Kept& kept) {
   lua_setfield(L, -2, "scissor");
 }
 
+// The maps of { maps = { {view = , projection = , near = , far = }, … }, size = , filter = } at
+// `index`; near and far, as shadow.cascades gives them, are where along the view it is read.
+std::vector<shadow::MapUse> read_maps(lua_State* L, int index) {
+  std::vector<shadow::MapUse> maps;
+  if (lua_isnoneornil(L, index)) return maps;
+  if (lua_type(L, index) != LUA_TTABLE) {
+    throw InputError(
+        "argument 4 of shadow.plan is a table, { maps = , size = , filter = }; it is " +
+        describe(L, index));
+  }
+  lua_getfield(L, index, "size");
+  lua_getfield(L, index, "filter");
+  const double size = read<double>(L, -2, "size of argument 4 of shadow.plan");
+  const double filter =
+      lua_isnil(L, -1) ? 1 : read<double>(L, -1, "filter of argument 4 of shadow.plan");
+  if (!(size >= 1 && size <= 16384 && filter >= 1 && filter <= 16384))
+    throw InputError("shadow.plan: size and filter of maps are from 1 to 16384 texels");
+  if (lua_getfield(L, index, "maps") != LUA_TTABLE)
+    throw InputError("shadow.plan: maps is a table of maps; it is " + describe(L, -1));
+  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) == LUA_TTABLE && maps.size() < 64; ++i) {
+    lua_getfield(L, -1, "projection");
+    lua_getfield(L, -2, "view");
+    shadow::MapUse map{read<glm::dmat4>(L, -2, "projection of a map of shadow.plan") *
+                           read<glm::dmat4>(L, -1, "view of a map of shadow.plan"),
+                       static_cast<int>(size),
+                       filter,
+                       {}};
+    lua_getfield(L, -3, "near");
+    lua_getfield(L, -4, "far");
+    if (!lua_isnil(L, -2)) {
+      map.part = {read<double>(L, -2, "near of a map of shadow.plan"),
+                  read<double>(L, -1, "far of a map of shadow.plan")};
+      if (!(map.part->near > 0 && map.part->far > map.part->near))
+        throw InputError("shadow.plan: of a map, 0 < near < far");
+    }
+    maps.push_back(map);
+    lua_pop(L, 5);
+  }
+  lua_pop(L, 4);
+  return maps;
+}
+
 int plan(lua_State* L) {
   const SceneBox scene = read_box<SceneBox>(L, 1, "argument 1 of shadow.plan (the scene)");
   const auto& camera = read_box<CameraBox>(L, 2, "argument 2 of shadow.plan").camera();
@@ -52,15 +95,27 @@ int plan(lua_State* L) {
   stage.state.check_budget(scene->objects.size() * scene->objects.size());
   const shadow::Plan plan = shadow::plan(*scene, camera, light.position, stage.picture_size());
   if (stage.explaining) explain_plan(stage, *scene, light.position, plan);
+  const std::vector<shadow::MapUse> maps = read_maps(L, 4);
 
   const auto itself = [](std::size_t index) { return index; };
-  lua_createtable(L, 0, 6);
+  lua_createtable(L, 0, 7);
   set_objects(L, "seen", scene, plan.seen, itself);
   set_objects(L, "shadowed", scene, plan.shadowed, itself);
   set_objects(L, "dropped", scene, plan.dropped, [](const auto& d) { return d.object; });
   set_objects(L, "casters", scene, plan.casters, [](const auto& kept) { return kept.object; });
   push_rectangle(L, plan.shadows);
   lua_setfield(L, -2, "scissor");
+  lua_createtable(L, static_cast<int>(maps.size()), 0);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const auto needs =
+        shadow::map_needs(*scene, camera, light.position, stage.picture_size(), maps[i]);
+    lua_createtable(L, 0, 2);
+    set_objects(L, "casters", scene, needs.casters, itself);
+    lua_pushboolean(L, needs.read());
+    lua_setfield(L, -2, "read");
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "maps");
   // needs[caster]: by the very objects that are in casters.
   lua_createtable(L, 0, static_cast<int>(plan.casters.size()));
   lua_getfield(L, -2, "casters");
@@ -76,13 +131,18 @@ int plan(lua_State* L) {
 
 constexpr Entry functions[] = {
     {"plan",
-     "shadow.plan(scene, camera, light) -> {casters = {object, …}, needs = {[caster] = {zfail = "
+     "shadow.plan(scene, camera, light, {maps = {{view = , projection = , near = , far = }, …}, "
+     "size "
+     "= , filter = 1}) -> {casters = {object, …}, needs = {[caster] = {zfail = "
      "boolean, scissor = {x, y, width, height}}}, scissor = , seen = {object, …}, shadowed = "
-     "{object, …}, dropped = {object, …}}",
+     "{object, …}, dropped = {object, …}, maps = {{casters = {object, …}, read = boolean}, …}}",
      "What a frame of shadow volumes needs, for the same picture pixel for pixel: casters whose "
      "volume can reach what the camera sees, and of each whether it needs z-fail and its caps, and "
      "outside of which pixels it counts zero. seen: the objects to draw; shadowed: those of them "
-     "that a shadow may reach; scissor: where. The light is a point or a direction.",
+     "that a shadow may reach; scissor: where. And of maps of size × size texels, as "
+     "shadow.cascades "
+     "or shadow.cube_faces give them, the casters that a lookup filter texels wide at what is seen "
+     "can meet, and whether there are any. The light is a point or a direction.",
      guarded<plan>},
 };
 

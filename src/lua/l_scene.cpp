@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lua/boxes.h"
+#include "lua/planned.h"
 
 namespace shadowlab::lua {
 namespace {
@@ -130,10 +131,15 @@ int load(lua_State* L) {
 
 // ---- a scene's parts
 
+void draw_one(lua_State* L, const SceneBox& scene, std::size_t index) {
+  if (!is_needed(L, 3, scene, index)) return;
+  const scene::Object& object = scene->objects[index];
+  draw({L, 2, 3}, object.mesh, object.model, object.material, object.name);
+}
+
 int draw_scene(lua_State* L) {
   SceneBox& scene = read_box<SceneBox>(L, 1, "scene:draw: self");
-  for (const scene::Object& object : scene->objects)
-    draw({L, 2, 3}, object.mesh, object.model, object.material, object.name);
+  for (std::size_t i = 0; i < scene->objects.size(); ++i) draw_one(L, scene, i);
   return 0;
 }
 
@@ -154,15 +160,15 @@ int find_object(lua_State* L) {
 
 int draw_group(lua_State* L) {
   GroupBox& group = read_box<GroupBox>(L, 1, "draw: self");
-  for (const scene::Object& object : group.scene->objects) {
-    if (group.has(object)) draw({L, 2, 3}, object.mesh, object.model, object.material, object.name);
+  for (std::size_t i = 0; i < group.scene->objects.size(); ++i) {
+    if (group.has(group.scene->objects[i])) draw_one(L, group.scene, i);
   }
   return 0;
 }
 
 int draw_object(lua_State* L) {
-  const scene::Object& object = read_box<ObjectBox>(L, 1, "object:draw: self").object();
-  draw({L, 2, 3}, object.mesh, object.model, object.material, object.name);
+  const ObjectBox& object = read_box<ObjectBox>(L, 1, "object:draw: self");
+  draw_one(L, object.scene, object.index);
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lua/boxes.h"
+#include "lua/planned.h"
 #include "lua/volume_pool.h"
 #include "shadow/silhouette.h"
 #include "shadow/volume.h"
@@ -89,6 +90,10 @@ int parts(lua_State* L) {
   const auto light = read_light(L, 3, "argument 3 of shadow.parts (the light)");
   Stage& stage = Stage::of(L);
   stage.state.check_budget(mesh->indices.size());
+  if (is_dropped(L, 1, 2, light)) {
+    lua_createtable(L, 0, 0);
+    return 1;
+  }
   const auto found = stage.volumes->source(mesh)->layers.parts(light_as_drawn(model, light));
   lua_createtable(L, static_cast<int>(found.size()), 0);
   for (std::size_t i = 0; i < found.size(); ++i) {

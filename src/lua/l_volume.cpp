@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lua/boxes.h"
+#include "lua/planned.h"
 #include "lua/volume_pool.h"
 #include "shadow/volume_lecture.h"
 
@@ -139,7 +140,12 @@ int build(lua_State* L) {
       options.lecture || options.part == 0
           ? shadow::TriangleRange{}
           : part_of(*volume->source, volume->light, static_cast<double>(options.part), "volume");
-  if (options.lecture) {
+  const bool dropped = is_dropped(L, 1, 2, light);
+  if (dropped) {
+    volume->triangles = {0, 0};
+    volume->drawn = volume->buffers.get();
+    volume->sides = volume->all = 0;
+  } else if (options.lecture) {
     build_by_lecture(stage.graphics, *volume, options);
   } else {
     shadow::VolumeOptions how;
@@ -154,7 +160,8 @@ int build(lua_State* L) {
     volume->sides = indices.sides.size();
     volume->all = indices.all.size();
   }
-  if (stage.explaining) stage.explain(what_was_built(caster_name(L, 1), *volume, options));
+  if (stage.explaining && !dropped)
+    stage.explain(what_was_built(caster_name(L, 1), *volume, options));
   push_box<VolumeBox>(L, volume);
   return 1;
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "lua/volume_pool.h"
 
 namespace shadowlab::lua {
@@ -9,10 +12,18 @@ namespace {
 
 struct Savings {
   std::size_t triangles = 0, bytes = 0;
+  std::int64_t pixels = 0;
   void add(std::size_t indices) {
     triangles += indices / 3;
     bytes += indices * sizeof(std::uint32_t);
   }
+};
+
+// Casters that were held against one light, or one of several.
+struct Held {
+  const scene::Scene& scene;
+  glm::dvec4 light;
+  const shadow::Plan& plan;
 };
 
 std::string counted(std::size_t count, const char* one, const char* many) {
@@ -41,39 +52,98 @@ std::string names_of(const scene::Scene& scene, const std::vector<std::size_t>& 
   return text;
 }
 
-void explain_dropped(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
-                     const shadow::Plan& plan, shadow::Plan::Why why, const char* reason) {
+void explain_dropped(Stage& stage, std::span<const Held> lights, shadow::Plan::Why why,
+                     const char* reason) {
   std::vector<std::size_t> objects;
+  std::size_t count = 0;
   Savings savings;
-  for (const auto& dropped : plan.dropped) {
-    if (dropped.why != why) continue;
-    objects.push_back(dropped.object);
-    savings.add(volume_of(stage, scene.objects[dropped.object], light).all.size());
+  for (const Held& held : lights) {
+    for (const auto& dropped : held.plan.dropped) {
+      if (dropped.why != why) continue;
+      ++count;
+      if (std::ranges::find(objects, dropped.object) == objects.end())
+        objects.push_back(dropped.object);
+      savings.add(volume_of(stage, held.scene.objects[dropped.object], held.light).all.size());
+      savings.pixels += dropped.covered.area();
+    }
   }
   if (objects.empty()) return;
-  stage.explain(fmt::format("Dropped: {} ({}), {}. Saved: {}.",
-                            counted(objects.size(), "caster", "casters"), names_of(scene, objects),
-                            reason, of_so_many(savings)));
+  const std::string times =
+      lights.size() == 1 ? "" : fmt::format(", {} in all", counted(count, "volume", "volumes"));
+  stage.explain(fmt::format("Dropped: {} ({}){}, {}. Saved: {}, which would cover {} at most.",
+                            counted(objects.size(), "caster", "casters"),
+                            names_of(lights[0].scene, objects), times, reason, of_so_many(savings),
+                            counted(static_cast<std::size_t>(savings.pixels), "pixel", "pixels")));
+}
+
+void explain_casters(Stage& stage, std::span<const Held> lights) {
+  std::size_t kept = 0, all = 0;
+  for (const Held& held : lights) {
+    kept += held.plan.casters.size();
+    all += held.plan.casters.size() + held.plan.dropped.size();
+  }
+  const std::string what =
+      lights.size() == 1
+          ? counted(all, "caster", "casters")
+          : fmt::format("{} for {} lights", counted(all, "volume", "volumes"), lights.size());
+  stage.explain(
+      fmt::format("The plan keeps {} of {}: those whose box or shadow meets the box of "
+                  "something that the camera sees.",
+                  kept, what));
+  explain_dropped(stage, lights, shadow::Plan::Why::outside_view,
+                  "since neither they nor their shadows are in the camera's view");
+  explain_dropped(stage, lights, shadow::Plan::Why::meets_nothing,
+                  "since in the view they and their shadows are hidden, or meet nothing");
+}
+
+// "256 × 256 texels"
+std::string texels_of(const Planned::Map& map) { return fmt::format("{0} × {0} texels", map.size); }
+
+void explain_map(Stage& stage, const Planned::Map& map, std::size_t number, std::size_t of) {
+  if (!map.needs) {
+    stage.explain(fmt::format("Map {} of {} is {}.", number, of,
+                              map.asked == 0
+                                  ? "drawn by nothing that the plan knows of"
+                                  : "drawn as it is: shadow.map_bias was not told how it is read"));
+    return;
+  }
+  const std::string which = fmt::format("Map {} of {}, {}", number, of, texels_of(map));
+  if (map.skipped) {
+    std::size_t triangles = 0;
+    for (const scene::Object& object : map.scene->objects)
+      triangles += object.casts() ? object.mesh->indices.size() / 3 : 0;
+    const std::size_t texels =
+        static_cast<std::size_t>(map.size) * static_cast<std::size_t>(map.size);
+    stage.explain(
+        fmt::format("{}, is neither allocated nor drawn, since no caster shadows what is seen "
+                    "where it would be "
+                    "read. Saved: {}, {} that are cleared, {} of depth.",
+                    which, counted(triangles, "triangle", "triangles"),
+                    counted(texels, "pixel", "pixels"), counted(4 * texels, "byte", "bytes")));
+    return;
+  }
+  if (map.dropped == 0) {
+    stage.explain(
+        fmt::format("{}: all {} are drawn, since lookups at what is seen may meet each. Nothing is "
+                    "saved.",
+                    which, counted(map.asked, "caster", "casters")));
+    return;
+  }
+  stage.explain(fmt::format(
+      "{}: {} of {} drawn; the others are outside of it, or no lookup at what is seen can meet "
+      "them. Saved: {} in {}, which would cover {} at most, and no bytes.{}",
+      which, map.asked - map.dropped, counted(map.asked, "caster", "casters"),
+      counted(map.triangles_saved, "triangle", "triangles"), counted(map.dropped, "draw", "draws"),
+      counted(static_cast<std::size_t>(map.pixels_saved), "pixel", "pixels"),
+      map.needs->read() ? "" : " Nobody reads it: it is cleared alone."));
 }
 
 }  // namespace
 
-void explain_casters(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
-                     const shadow::Plan& plan) {
-  const std::size_t all = plan.casters.size() + plan.dropped.size();
-  stage.explain(
-      fmt::format("The plan keeps {} of {}: those whose box or shadow meets the box of "
-                  "something that the camera sees.",
-                  plan.casters.size(), counted(all, "caster", "casters")));
-  explain_dropped(stage, scene, light, plan, shadow::Plan::Why::outside_view,
-                  "since neither they nor their shadows are in the camera's view");
-  explain_dropped(stage, scene, light, plan, shadow::Plan::Why::meets_nothing,
-                  "since in the view they and their shadows are hidden, or meet nothing");
-}
-
 void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
                   const shadow::Plan& plan) {
-  explain_casters(stage, scene, light, plan);
+  const Held held{scene, light, plan};
+  explain_casters(stage, {&held, 1});
   std::vector<std::size_t> zpass, zfail;
   Savings caps;
   std::int64_t pixels = 0;
@@ -108,6 +178,21 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
                   "of those, within {} × {} pixels.",
                   plan.seen.size(), counted(scene.objects.size(), "object", "objects"),
                   plan.shadowed.size(), plan.shadows.width, plan.shadows.height));
+}
+
+void explain_planned(Stage& stage) {
+  std::vector<Held> lights;
+  for (const Planned::Volumes& volumes : stage.planned->volumes())
+    lights.push_back({*volumes.scene, volumes.light, volumes.plan});
+  if (!lights.empty()) explain_casters(stage, lights);
+  const auto& maps = stage.planned->maps();
+  std::size_t number = 0;
+  for (const Planned::Map& map : maps) explain_map(stage, map, ++number, maps.size());
+  if (lights.empty() && maps.empty()) {
+    stage.explain(
+        "The plan leaves nothing out: the recipe draws neither volumes of the scene's objects nor "
+        "maps that are fitted to the view.");
+  }
 }
 
 }  // namespace shadowlab::lua

@@ -1,6 +1,7 @@
 // A plan in words, for `shadowlab run --explain`.
 #pragma once
 
+#include "lua/planned.h"
 #include "lua/stage.h"
 #include "shadow/plan.h"
 
@@ -11,8 +12,7 @@ namespace shadowlab::lua {
 void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
                   const shadow::Plan& plan);
 
-/// The part of it that is about casters.
-void explain_casters(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
-                     const shadow::Plan& plan);
+/// What a planned frame left out, and why.
+void explain_planned(Stage& stage);
 
 }  // namespace shadowlab::lua

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "lua/planned.h"
 #include "lua/truth_pool.h"
 #include "lua/value.h"
 #include "lua/volume_pool.h"
@@ -73,6 +74,7 @@ void begin_frame(Stage& stage) {
   stage.graphics.begin_frame();
   stage.volumes->begin_frame();
   stage.truths->begin_frame();
+  if (stage.planned) stage.planned->begin_frame();
   stage.explanations.resize(stage.explained_in_setup);
 }
 

@@ -18,6 +18,7 @@ namespace shadowlab::lua {
 
 class VolumePool;
 class TruthPool;
+class Planned;
 
 /// Told of every pass(name, fn) that a recipe runs.
 class PassListener {
@@ -49,6 +50,8 @@ struct Stage {
   /// The shadow volumes that the recipe asked for.
   std::shared_ptr<VolumePool> volumes = nullptr;
   std::shared_ptr<TruthPool> truths = nullptr;
+  /// What a planned frame leaves out; absent: nothing.
+  std::shared_ptr<Planned> planned = nullptr;
   /// Whether anybody asks why; else nothing is put into words.
   bool explaining = false;
   /// This frame's, in their order; what was said before is not said again.

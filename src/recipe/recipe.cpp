@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "core/near_names.h"
 #include "core/version.h"
+#include "lua/plan_words.h"
 #include "lua/value.h"
-#include "recipe/planned_casters.h"
 
 namespace shadowlab::recipe {
 namespace {
@@ -40,11 +40,12 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
     : graphics_(graphics),
       file_(file),
       time_passes_(options.time_passes),
-      casters_(options.casters),
       state_(
           options.limits, options.print ? options.print : [](std::string_view) {}),
       stage_{state_, graphics, this, {}, folders(folder_of(file), options.shading)} {
   stage_.explaining = options.explain;
+  if (options.casters == Options::Casters::planned)
+    stage_.planned = std::make_shared<lua::Planned>();
   graphics_.begin_frame();
   state_.on_file(options.on_file);
   state_.search_in({folder_of(file), home() / "scripts"});
@@ -197,14 +198,13 @@ void Recipe::draw(double time) {
     recorder->end_pass();  // of a frame that failed
   state_.restart_budget();
   const gl::Work before = graphics_.calls().work;
-  std::optional<PlannedCasters> planned;
-  if (casters_ == Options::Casters::planned && scene_) planned.emplace(stage_, *scene_, light());
   state_.run([&](lua_State* L) {
     push_function("draw");
     push_context(time);
     lua_call(L, 1, 0);
   });
   work_ = graphics_.calls().work - before;
+  if (stage_.planned && stage_.explaining) lua::explain_planned(stage_);
 }
 
 void Recipe::begin_pass(std::string_view name) {

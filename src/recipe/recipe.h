@@ -61,9 +61,8 @@ struct Options {
   bool explain = false;              ///< collect explanations()
   /// Told of the files that the recipe is made of: see State::on_file.
   std::function<void(const std::filesystem::path&)> on_file;
-  /// Whose shadows each frame is drawn with: all that cast, or those alone that shadow::plan keeps.
-  /// To the recipe the others are receivers. Recipes of shadow volumes draw the same picture;
-  /// shadow maps are fitted to fewer casters.
+  /// Which casters are drawn: all, or those alone whose shadows may reach what is seen
+  /// (lua/planned.h). The picture is the same.
   enum class Casters { all, planned } casters = Casters::all;
   /// What the stock shaders draw: their shading, or the visibility of the light alone, white where
   /// it reaches and black where it does not.
@@ -140,7 +139,6 @@ class Recipe : private lua::PassListener {
   gl::Graphics& graphics_;
   std::filesystem::path file_;
   bool time_passes_;
-  Options::Casters casters_;
   lua::State state_;
   lua::Stage stage_;
   Description description_;

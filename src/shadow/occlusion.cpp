@@ -8,7 +8,7 @@
 namespace shadowlab::shadow {
 namespace {
 
-constexpr int most_cells = 256;  // a side
+constexpr int most_cells = 128;  // a side
 
 // Twice the area that o, a, b turn around counter-clockwise.
 double turn(glm::dvec2 o, glm::dvec2 a, glm::dvec2 b) {

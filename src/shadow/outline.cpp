@@ -41,7 +41,7 @@ Filling filling(const Placed& caster, glm::dvec4 light, glm::dvec4 plane, const 
   }
   if (highest < -room) return Filling::none;
   if (light.w != 0 && lowest > std::abs(height) / light.w + room) return Filling::none;
-  if (Reach(crate_around(caster.bounds, caster.model, room), light)
+  if (ShadowReach(crate_around(caster.bounds, caster.model, room), light)
           .parts_from(crate_around(receiver.bounds, receiver.model, room)))
     return Filling::none;
   // A caster that stands on the plane does not cut it.

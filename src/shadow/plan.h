@@ -9,8 +9,7 @@
 //  - Each volume counts only where its shadow meets such a box: inside the pixels that the scissor
 //    leaves.
 //
-// Boxes grow by what GL's arithmetic may move a surface: floats, corners at 1/256 of a pixel, depth
-// of 24 bits and the volumes' offset. The far plane is at infinity.
+// What boxes are and how they are seen: shadow/sight.h. Maps: shadow/map_needs.h.
 //
 // Sources: D. Lloyd, J. Wendt, N. Govindaraju, D. Manocha, CC Shadow Volumes, 2004 (casters culled
 // by potential receivers); M. McGuire et al., Fast, Practical and Robust Shadows, 2003 (volumes
@@ -24,6 +23,7 @@
 #include <glm/glm.hpp>
 
 #include "scene/scene.h"
+#include "shadow/sight.h"
 #include "shadow/zfail.h"
 
 namespace shadowlab::shadow {
@@ -49,6 +49,7 @@ struct Plan {
   struct Dropped {
     std::size_t object;
     Why why;
+    PixelRectangle covered;  ///< holds what of the picture its volume covers, where it counts zero
   };
   std::vector<Kept> casters;
   std::vector<Dropped> dropped;
@@ -62,5 +63,7 @@ struct Plan {
 /// matrix is singular.
 Plan plan(const scene::Scene& scene, const scene::Camera& camera, glm::dvec4 light,
           glm::ivec2 picture);
+/// The same of what this camera sees of this scene.
+Plan plan(const scene::Scene& scene, const scene::Camera& camera, glm::dvec4 light, Sight sight);
 
 }  // namespace shadowlab::shadow

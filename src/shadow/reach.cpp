@@ -61,7 +61,7 @@ Hexahedron hexahedron(const Crate& crate) {
   return shape;
 }
 
-Reach::Reach(const Crate& crate, glm::dvec4 light) {
+ShadowReach::ShadowReach(const Crate& crate, glm::dvec4 light) {
   std::array<glm::dvec3, 8> corners, away;  // where from each corner the shadow goes on
   for (std::size_t i = 0; i < 8; ++i) {
     corners[i] = crate.corner(i);
@@ -75,7 +75,9 @@ Reach::Reach(const Crate& crate, glm::dvec4 light) {
     const glm::dvec3 normal = glm::cross(crate.half[(k + 1) % 3], crate.half[(k + 2) % 3]);
     propose(normal, corners, away);
     propose(-normal, corners, away);
-    for (std::size_t i = 0; i < 8; ++i) {
+    // A light at infinity has one direction for the four edges along this axis.
+    const std::size_t edges = light.w > 0 ? 8 : 1;
+    for (std::size_t i = 0; i < edges; ++i) {
       if (i >> k & 1) continue;
       const glm::dvec3 side = glm::cross(crate.half[k], away[i]);
       propose(side, corners, away);
@@ -86,8 +88,8 @@ Reach::Reach(const Crate& crate, glm::dvec4 light) {
 
 // Keeps the half-space behind a plane with this outward normal, moved out until it holds all
 // corners, if no direction of the shadow leaves it.
-void Reach::propose(glm::dvec3 normal, std::span<const glm::dvec3, 8> corners,
-                    std::span<const glm::dvec3, 8> away) {
+void ShadowReach::propose(glm::dvec3 normal, std::span<const glm::dvec3, 8> corners,
+                          std::span<const glm::dvec3, 8> away) {
   const double length = glm::length(normal);
   if (!(length > 0)) return;
   normal /= length;
@@ -101,33 +103,13 @@ void Reach::propose(glm::dvec3 normal, std::span<const glm::dvec3, 8> corners,
   planes_[count_++] = glm::dvec4(-normal, level);
 }
 
-bool Reach::parts_from(const Crate& crate) const {
+bool ShadowReach::parts_from(const Crate& crate) const {
   return std::ranges::any_of(planes(), [&](const glm::dvec4& plane) {
     const glm::dvec3 normal(plane);
     double most = glm::dot(normal, crate.center) + plane.w;
     for (const glm::dvec3& half : crate.half) most += std::abs(glm::dot(normal, half));
     return most < 0;
   });
-}
-
-// As `clipped`, without its allocations: a plan clips thousands.
-std::span<const glm::dvec3> Reach::inside(std::span<const glm::dvec3> polygon,
-                                          Scratch& scratch) const {
-  std::span<const glm::dvec3> rest = polygon;
-  for (const glm::dvec4& plane : planes()) {
-    const auto distance = [&](glm::dvec3 p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
-    if (std::ranges::all_of(rest, [&](glm::dvec3 p) { return distance(p) >= 0; })) continue;
-    scratch.next.clear();
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-      const glm::dvec3 p = rest[i], q = rest[(i + 1) % rest.size()];
-      const double dp = distance(p), dq = distance(q);
-      if (dp >= 0) scratch.next.push_back(p);
-      if ((dp >= 0) != (dq >= 0)) scratch.next.push_back(p + (q - p) * (dp / (dp - dq)));
-    }
-    std::swap(scratch.now, scratch.next);
-    rest = scratch.now;
-  }
-  return rest;
 }
 
 }  // namespace shadowlab::shadow

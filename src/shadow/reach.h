@@ -33,23 +33,23 @@ Crate crate_around(const scene::Bounds& bounds, const glm::dmat4& model, double 
 Hexahedron hexahedron(const Crate& crate);
 
 /// A point is inside where it is on the positive side of all planes (a, b, c, d); none: everywhere.
-class Reach {
+class ShadowReach {
  public:
   /// Of a caster in `crate`; `light` in world space, w ≥ 0. Holds all of the crate, of its shadow
   /// and of its shadow volume. Everything, where the light is inside the crate. Its sides stand on
   /// edges of the crate: planes are proposed by every edge and every face, and those kept that the
   /// crate and the directions of its shadow are behind.
-  Reach(const Crate& crate, glm::dvec4 light);
+  ShadowReach(const Crate& crate, glm::dvec4 light);
 
   std::span<const glm::dvec4> planes() const { return {planes_.data(), count_}; }
 
   /// Whether one of the planes has all of `crate` behind it: then they do not meet.
   bool parts_from(const Crate& crate) const;
   /// What of a convex polygon is inside: valid until `scratch` is used again.
-  struct Scratch {
-    Polygon now, next;
-  };
-  std::span<const glm::dvec3> inside(std::span<const glm::dvec3> polygon, Scratch& scratch) const;
+  std::span<const glm::dvec3> inside(std::span<const glm::dvec3> polygon,
+                                     ClipScratch& scratch) const {
+    return clipped(polygon, planes(), scratch);
+  }
 
  private:
   void propose(glm::dvec3 normal, std::span<const glm::dvec3, 8> corners,

@@ -33,23 +33,40 @@ double signed_distance(glm::dvec4 plane, glm::dvec3 point) {
 }
 
 void append_clipped(const Hexahedron& shape, const Hexahedron& by, std::vector<Polygon>& out) {
-  for (auto& polygon : sides_of(shape)) {
-    for (const glm::dvec4& plane : by.planes) polygon = clipped(polygon, plane);
-    if (!polygon.empty()) out.push_back(std::move(polygon));
+  ClipScratch scratch;
+  std::array<glm::dvec3, 4> polygon;
+  for (const auto& side : sides) {
+    for (std::size_t i = 0; i < 4; ++i) polygon[i] = shape.corners[side[i]];
+    const auto rest = clipped(polygon, by.planes, scratch);
+    if (!rest.empty()) out.emplace_back(rest.begin(), rest.end());
   }
 }
 
 }  // namespace
 
 Polygon clipped(std::span<const glm::dvec3> polygon, glm::dvec4 plane) {
-  Polygon inside;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    const double dp = signed_distance(plane, p), dq = signed_distance(plane, q);
-    if (dp >= 0) inside.push_back(p);
-    if ((dp >= 0) != (dq >= 0)) inside.push_back(p + (q - p) * (dp / (dp - dq)));
+  ClipScratch scratch;
+  const auto inside = clipped(polygon, {&plane, 1}, scratch);
+  return {inside.begin(), inside.end()};
+}
+
+std::span<const glm::dvec3> clipped(std::span<const glm::dvec3> polygon,
+                                    std::span<const glm::dvec4> planes, ClipScratch& scratch) {
+  std::span<const glm::dvec3> rest = polygon;
+  for (const glm::dvec4& plane : planes) {
+    const auto before = [&](glm::dvec3 p) { return signed_distance(plane, p) >= 0; };
+    if (std::ranges::all_of(rest, before)) continue;
+    scratch.next.clear();
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      const glm::dvec3 p = rest[i], q = rest[(i + 1) % rest.size()];
+      const double dp = signed_distance(plane, p), dq = signed_distance(plane, q);
+      if (dp >= 0) scratch.next.push_back(p);
+      if ((dp >= 0) != (dq >= 0)) scratch.next.push_back(p + (q - p) * (dp / (dp - dq)));
+    }
+    std::swap(scratch.now, scratch.next);
+    rest = scratch.now;
   }
-  return inside;
+  return rest;
 }
 
 std::array<Polygon, 6> sides_of(const Hexahedron& shape) {

@@ -39,6 +39,14 @@ std::vector<Polygon> common_sides(const Hexahedron& a, const Hexahedron& b);
 /// What of a convex polygon is on the positive side of `plane`.
 Polygon clipped(std::span<const glm::dvec3> polygon, glm::dvec4 plane);
 
+/// What of it is on the positive side of all `planes`, as `clipped`, without its allocations: valid
+/// until `scratch` is used again.
+struct ClipScratch {
+  Polygon now, next;
+};
+std::span<const glm::dvec3> clipped(std::span<const glm::dvec3> polygon,
+                                    std::span<const glm::dvec4> planes, ClipScratch& scratch);
+
 /// The surfaces of what the camera sees of the objects' boxes.
 std::vector<Polygon> visible_sides(const scene::Scene& scene, const Hexahedron& view);
 

@@ -173,6 +173,33 @@ TEST_F(Cli, run_explains_which_caster_needs_zfail) {
   EXPECT_THAT(dark, testing::HasSubstr("triangles of caps, which z-fail needs."));
 }
 
+TEST_F(Cli, run_explains_what_a_plan_saves) {
+  // Of a hundred houses, volumes of those that shadow nothing seen; twelve triangles each, of three
+  // indices of four bytes.
+  const std::string volumes = run("run volumes_zfail --scene city --size 64 --plan --explain").out;
+  EXPECT_THAT(volumes, testing::HasSubstr("The plan keeps 28 of 100 casters"));
+  EXPECT_THAT(volumes, testing::ContainsRegex("Dropped: 12 casters \\(.*camera's view. Saved: 144 "
+                                              "triangles of volumes, 1728 bytes"));
+  EXPECT_THAT(volumes, testing::ContainsRegex("Dropped: 60 casters .*pixels at most"));
+  // Of the room's four maps the first is before everything.
+  const std::string maps =
+      run("run shadow_map_cascades --scene room --size 64 --plan --explain").out;
+  EXPECT_THAT(maps, testing::ContainsRegex("Map . of 4, 512 × 512 texels, is neither allocated nor "
+                                           "drawn, .*262144 pixels.*1048576 bytes of depth"));
+  EXPECT_THAT(maps,
+              testing::ContainsRegex("Map . of 4, 512 × 512 texels: all 2 casters are drawn"));
+  const auto passes = [](const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find("\n1. map ", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_LT(passes(maps), 4u);
+  EXPECT_EQ(passes(run("run shadow_map_cascades --scene room --size 64 --explain").out), 4u);
+  // A recipe of neither, without a light.
+  EXPECT_THAT(run("run fbo_blit --size 64 --plan --explain").out,
+              testing::HasSubstr("The plan leaves nothing out"));
+}
+
 TEST_F(Cli, a_context_that_is_not_there_ends_with_3) {
   write_recipe("fill.lua", fill);
   expect_sentence(run("run fill.lua --context glfw", "env -u DISPLAY -u WAYLAND_DISPLAY"), 3,

@@ -5,20 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/gtc/matrix_transform.hpp>
+#include "cities.h"
 
 namespace shadowlab::shadow {
 namespace {
 
 constexpr glm::ivec2 picture{200, 100};
-
-scene::Object box_at(glm::dvec3 at, glm::dvec3 size) {
-  static const auto unit_box = std::make_shared<const scene::Mesh>(scene::box());
-  scene::Object object;
-  object.mesh = unit_box;
-  object.model = glm::scale(glm::translate(glm::dmat4(1), at), size);
-  return object;
-}
 
 /// Looks along -z from the origin, 90 degrees high.
 scene::Camera camera() {
@@ -78,45 +70,19 @@ TEST(Plan, scissors_the_pixels_that_the_shadow_covers) {
   EXPECT_EQ(found.shadows, found.casters[0].scissor);
 }
 
+// What a dropped caster would have covered: down through the view at z = -5, from x = -0.5 to 0.5
+// and z = -5.5 to -4.5: 0.5/4.5 of 50 pixels from the middle, over the whole height.
+TEST(Plan, tells_what_a_dropped_volume_would_cover) {
+  const Plan found = plan(wall_and({0, 20, -5}), camera(), {0, 1, 0, 0}, picture);
+  EXPECT_EQ(found.dropped.at(0).covered, (PixelRectangle{93, 0, 14, 100}));
+}
+
 TEST(Plan, of_a_scene_behind_the_camera_needs_nothing) {
   scene::Camera away = camera();
   away.target = {0, 0, 1};
   const Plan found = plan(wall_and({0, 0, -5}), away, {0, 0, -1, 0}, picture);
   EXPECT_TRUE(found.seen.empty());
   EXPECT_TRUE(found.casters.empty());
-}
-
-struct City {
-  scene::Scene scene;
-  scene::Camera camera;
-  glm::dvec4 light;
-};
-
-City random_city(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  const auto point = [&] { return glm::dvec3(normal(random), normal(random), normal(random)); };
-  City city;
-  for (int i = 0; i < 8; ++i)
-    city.scene.objects.push_back(box_at(point() * 4.0, glm::abs(point()) + 0.05));
-  city.camera.eye = point() * 4.0;
-  city.camera.target = city.camera.eye + point();
-  city.camera.fovy = 20 + static_cast<double>(random() % 80);
-  city.light = {point() * 5.0, random() % 3 == 0 ? 0.0 : 1.0};
-  return city;
-}
-
-bool meets(const scene::Object& box, glm::dvec3 p, glm::dvec4 light) {
-  const glm::dmat4 to_model = glm::inverse(box.model);
-  const glm::dvec3 from(to_model * glm::dvec4(p, 1));
-  const glm::dvec4 end = to_model * light;
-  const glm::dvec3 way = light.w == 0 ? glm::dvec3(end) : glm::dvec3(end) - from;
-  double in = 0, out = light.w == 0 ? 1e300 : 1;
-  for (int i = 0; i < 3; ++i) {
-    const double a = (-0.5 - from[i]) / way[i], b = (0.5 - from[i]) / way[i];
-    in = std::max(in, std::min(a, b));
-    out = std::min(out, std::max(a, b));
-  }
-  return in <= out;
 }
 
 TEST(Plan, leaves_out_nothing_that_shadows_a_point_which_is_seen) {

@@ -51,7 +51,7 @@ bool shadowed(const Setting& s, glm::dvec3 p, double room) {
   return in <= out;
 }
 
-bool inside(const Reach& reach, glm::dvec3 p) {
+bool inside(const ShadowReach& reach, glm::dvec3 p) {
   for (const glm::dvec4& plane : reach.planes()) {
     if (glm::dot(glm::dvec3(plane), p) + plane.w < 0) return false;
   }
@@ -60,12 +60,12 @@ bool inside(const Reach& reach, glm::dvec3 p) {
 
 // The room of 1e-6 is a thousand times what doubles round here, so the two answers differ nowhere
 // else than within it.
-TEST(Reach, holds_exactly_the_points_whose_way_to_the_light_meets_the_box) {
+TEST(ShadowReach, holds_exactly_the_points_whose_way_to_the_light_meets_the_box) {
   Random random(1);
   int in = 0, out = 0;
   for (int i = 0; i < 2000; ++i) {
     const Setting s = random.setting();
-    const Reach reach(crate_around(s.bounds, s.model, 1e-9), s.light);
+    const ShadowReach reach(crate_around(s.bounds, s.model, 1e-9), s.light);
     for (int k = 0; k < 20; ++k) {
       const glm::dvec3 p = random.point() * 4.0;
       if (shadowed(s, p, -1e-6)) {
@@ -81,17 +81,17 @@ TEST(Reach, holds_exactly_the_points_whose_way_to_the_light_meets_the_box) {
   EXPECT_GT(out, 2000);
 }
 
-TEST(Reach, is_everything_where_the_light_is_inside_the_box) {
+TEST(ShadowReach, is_everything_where_the_light_is_inside_the_box) {
   const Crate crate = crate_around({{-1, -1, -1}, {1, 1, 1}}, glm::dmat4(1), 0.1);
-  EXPECT_TRUE(Reach(crate, {0.2, 0.3, 0.1, 1}).planes().empty());
+  EXPECT_TRUE(ShadowReach(crate, {0.2, 0.3, 0.1, 1}).planes().empty());
 }
 
-TEST(Reach, parts_from_a_box_only_where_none_of_its_points_is_inside) {
+TEST(ShadowReach, parts_from_a_box_only_where_none_of_its_points_is_inside) {
   Random random(2);
   int parted = 0;
   for (int i = 0; i < 2000; ++i) {
     const Setting s = random.setting(), other = random.setting();
-    const Reach reach(crate_around(s.bounds, s.model, 1e-9), s.light);
+    const ShadowReach reach(crate_around(s.bounds, s.model, 1e-9), s.light);
     const Crate crate = crate_around(other.bounds, other.model, 1e-9);
     if (!reach.parts_from(crate)) continue;
     ++parted;
