@@ -2477,7 +2477,7 @@ shader = {}
 ---@return shader
 function shader.load(name) end
 
----The program of these texts. Errors name the stage and the line within its text.
+---The program of these texts, which may #include files too. Errors name the stage and the line within its text.
 ---
 ---`shader.compile{vertex = text, fragment = text, geometry = text} -> shader`
 ---@return shader
@@ -2695,11 +2695,30 @@ function shadow.silhouette(mesh, model, light) end
 ---@return any
 function shadow.extrusion(mesh, values, model) end
 
+---What of a mesh, or of a scene's object (model may then be nil), to draw flattened onto a planar receiver, an object of the scene: its silhouette filled by triangles, whose faces of the two facings, counted up and down in the stencil, are not zero where the shadow is; or, with the light in its box or the receiver cutting that, its own triangles that count. None where its shadow cannot meet the receiver, more than one where 7 bits may not count it.
+---
+---`shadow.outlines(mesh, model, light, receiver) -> { outline, … }`
+---@return table
+function shadow.outlines(mesh, model, light, receiver) end
+
 ---n points on an area light, each a light of its own (w = 1); "owen", Sobol's sequence under Owen's scrambling, unless another pattern is given. A light is { center = , u = , v = }, a rectangle of these half-axes, the same with disk = true, an ellipse, or { center = , radius = }, a sphere; a point gives itself n times. The same seed (0) gives the same points; of "random", "r2", "sobol" and "owen" the first points of many are the points of fewer.
 ---
 ---`shadow.samples(light, n, "random"|"jitter"|"grid"|"hammersley"|"r2"|"sobol"|"owen", seed) -> {vec4, …}`
 ---@return table
 function shadow.samples(light, n, values, seed) end
+
+---How many points of "owen" a light with a size is expected to need for an RMSE of visibility over the picture of at most error, a power of two: by the penumbra along the casters' silhouettes, width pixels wide, which is a share of the picture.
+---
+---`shadow.samples_needed(scene, camera, light, error) -> n, {width = , share = }`
+---@return any
+---@return table
+function shadow.samples_needed(scene, camera, light, error) end
+
+---The error of a mean over N points, of which the first and the second half have means that differ by so much (RMS over the picture): half of it, which is not too little for any pattern that is as good as random points.
+---
+---`shadow.error_of_halves(difference) -> number`
+---@return number
+function shadow.error_of_halves(difference) end
 
 ---What a frame of shadow volumes needs, for the same picture pixel for pixel: casters whose volume can reach what the camera sees, and of each whether it needs z-fail and its caps, and outside of which pixels it counts zero. seen: the objects to draw; shadowed: those of them that a shadow may reach; scissor: where. And of maps of size × size texels, as shadow.cascades or shadow.cube_faces give them, the casters that a lookup filter texels wide at what is seen can meet, and whether there are any. The light is a point or a direction.
 ---
@@ -2942,6 +2961,18 @@ function volume_value:draw_sides(shader, values) end
 ---`v:draw_unlit(shader, {view = , projection = })`
 ---@return any
 function volume_value:draw_unlit(shader, values) end
+
+---What shadow.outlines gives.
+---@class outline
+---@field triangles any how many there are
+---@field layers any no point is counted more often
+local outline_value = {}
+
+---Draws its triangles with the caster's model matrix, unless given another: shadow.planar(…) * the caster's.
+---
+---`o:draw(shader, {view = , projection = , model = })`
+---@return any
+function outline_value:draw(shader, values) end
 
 ---What shadow.extrusion gives.
 ---@class extrusion

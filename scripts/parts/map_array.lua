@@ -1,8 +1,8 @@
--- Depth maps in the layers of one array texture, and a framebuffer for each; one of each for every map
--- that is read.
+-- Depth maps in the layers of one array texture, and a framebuffer for each.
 local map_array = {}
 
-local function make(size, count)
+-- The texture, and its framebuffers: one for each layer.
+function map_array.make(size, count)
   local maps = gl.GenTextures(1)
   gl.BindTexture(gl.TEXTURE_2D_ARRAY, maps)
   gl.TexImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.DEPTH_COMPONENT24, size, size, count, 0,
@@ -38,7 +38,7 @@ function map_array.layers_of(r, size, maps)
       gl.DeleteTextures(1, r.layers)
       gl.DeleteFramebuffers(#r.frames, table.unpack(r.frames))
     end
-    r.layers, r.frames = make(size, read)
+    r.layers, r.frames = map_array.make(size, read)
   end
   return layers
 end

@@ -60,7 +60,7 @@ end
 function recipe.setup(r)
   r.flat = shader.load "flat"
   r.mapped = shader.compile{ vertex = vertex, fragment = fragment }
-  r.maps, r.frames = map_array(r.params.size, count)      -- the layers of a texture, a framebuffer for each
+  r.maps, r.frames = map_array.make(r.params.size, count) -- the layers of a texture, a framebuffer for each
 end
 
 function recipe.draw(r)

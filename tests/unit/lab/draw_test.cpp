@@ -71,11 +71,13 @@ TEST_F(LabTest, a_camera_takes_the_place_of_the_scenes) {
 }
 
 TEST_F(LabTest, a_change_holds_for_the_draws_from_its_place_on) {
-  const TextFile file(recipe_text(
-      "local s = shader.compile { vertex = [[in vec3 position; void main() { gl_Position "
-      "= vec4(position, 1); }]], fragment = [[out vec4 color; void main() { color = "
-      "vec4(1); }]] } local quad = mesh.quad() gl.ColorMask(false, false, true, true) "
-      "quad:draw(s) gl.ColorMask(false, true, false, true) quad:draw(s)"));
+  const TextFile file(
+      recipe_text("local s = shader.compile { vertex = [[#version 330 core\nlayout(location = 0) "
+                  "in vec3 position; void main() { gl_Position "
+                  "= vec4(position, 1); }]], fragment = [[#version 330 core\nout vec4 color; void "
+                  "main() { color = "
+                  "vec4(1); }]] } local quad = mesh.quad() gl.ColorMask(false, false, true, true) "
+                  "quad:draw(s) gl.ColorMask(false, true, false, true) quad:draw(s)"));
   Job job = one_shot(file.path());
   job.passes = true;
   const Drawing before = draw_all(job).at(0);
