@@ -33,14 +33,18 @@ bool departs(gl::Graphics& graphics, const std::filesystem::path& recipe, const 
   }
 }
 
+recipe::Options drawing_visibility() {
+  recipe::Options options;
+  options.shading = recipe::Options::Shading::visibility;
+  return options;
+}
+
 }  // namespace
 
 std::optional<std::size_t> wrong_beyond_edge(gl::Graphics& graphics,
                                              const std::filesystem::path& file,
                                              const Trial& trial) {
-  recipe::Options options;
-  options.shading = recipe::Options::Shading::visibility;
-  recipe::Recipe recipe(graphics, file, std::move(options));
+  recipe::Recipe recipe(graphics, file, drawing_visibility());
   const scene::Scene scene = scene_of(trial);
   recipe.set_light(scene.lights[0].position);
   recipe.set_scene(scene);
