@@ -1,5 +1,7 @@
 #include "lab/grade.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 
 #include "core/error.h"
@@ -24,7 +26,8 @@ void replace_all(std::string& text, const std::string& old, const std::string& b
 
 std::vector<std::string> settings_of(const Shot& shot) {
   std::vector<std::string> settings;
-  for (const auto& [name, value] : shot.settings) settings.push_back(name + "=" + value);
+  for (const auto& [name, value] : shot.settings)
+    settings.push_back(fmt::format("{}={}", name, value));
   return settings;
 }
 
@@ -189,7 +192,7 @@ class Grading {
     }
     std::optional<std::size_t> mending;
     if (!tried.empty()) {
-      draw(job, [&](std::size_t shot, Drawing drawing) {
+      draw(job, [&](std::size_t shot, const Drawing& drawing) {
         const bool right = shot < tried.size() && !drawing.error &&
                            verdict_of(lab_.cases[i], reference_.cases[i], drawing).right();
         if (right && !mending) mending = tried[shot];

@@ -1,8 +1,8 @@
 #include "lab/pack.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <unistd.h>
+#include <cstdlib>
 
 #include <algorithm>
 #include <array>

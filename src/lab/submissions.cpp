@@ -1,7 +1,7 @@
 #include "lab/submissions.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
+#include <cstdlib>
 
 #include <algorithm>
 #include <array>

@@ -95,7 +95,7 @@ void write_zip(const fs::path& file, std::span<const Packed> files) {
   }
   if (zip_close(archive.get()) != 0)
     refuse(file, fmt::format("cannot be written ({})", zip_strerror(archive.get())));
-  archive.release();
+  static_cast<void>(archive.release());  // closed
 }
 
 void unzip(const fs::path& file, const fs::path& folder) {

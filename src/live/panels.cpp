@@ -63,8 +63,9 @@ std::vector<Rectangle> shares(const Rectangle& area, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const double width = area.width / static_cast<double>(std::min(columns, count));
     const double height = area.height / static_cast<double>(rows);
-    shares.push_back({area.x + static_cast<double>(i % columns) * width,
-                      area.y + static_cast<double>(i / columns) * height, width, height});
+    const std::size_t column = i % columns, row = i / columns;
+    shares.push_back({area.x + static_cast<double>(column) * width,
+                      area.y + static_cast<double>(row) * height, width, height});
   }
   return shares;
 }

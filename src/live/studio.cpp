@@ -22,7 +22,7 @@ double now_ms() {
 
 }  // namespace
 
-Studio::Studio(gl::Graphics& graphics, StudioOptions options)
+Studio::Studio(gl::Graphics& graphics, const StudioOptions& options)
     : graphics_(graphics),
       options_(options.recipe),
       inspector_(graphics),

@@ -48,7 +48,7 @@ struct LookedAt {
 
 class Studio {
  public:
-  Studio(gl::Graphics& graphics, StudioOptions options);
+  Studio(gl::Graphics& graphics, const StudioOptions& options);
 
   gl::Graphics& graphics() { return graphics_; }
   const std::vector<std::unique_ptr<Bench>>& benches() const { return benches_; }
