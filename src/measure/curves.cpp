@@ -159,6 +159,7 @@ std::vector<Curve> swept_curves(const Json& points) {
     }
   }
   std::vector<Curve> curves;
+  curves.reserve(families.size());
   for (auto& [key, family] : families) curves.push_back(std::move(family.at(last.at(key))));
   return curves;
 }

@@ -5,11 +5,13 @@
 #include "measure/page.h"
 
 // SHADOWLAB_PAGE, the folder page/, and SHADOWLAB_CHART, Chart.js, come from src/CMakeLists.txt.
+// NOLINTBEGIN(bugprone-macro-parentheses): a declared name stands in none
 #define SHADOWLAB_BYTES(NAME, FILE)                                                    \
   asm(".pushsection .rodata\nshadowlab_page_" #NAME ":\n.incbin \"" FILE               \
       "\"\nshadowlab_page_" #NAME "_end:\n.byte 0\n.popsection\n");                    \
   [[gnu::visibility("hidden")]] extern const char NAME[] asm("shadowlab_page_" #NAME); \
   [[gnu::visibility("hidden")]] extern const char NAME##_end[] asm("shadowlab_page_" #NAME "_end")
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace shadowlab::measure {
 

@@ -130,7 +130,7 @@ class Sweep {
   template <class Find>
   Json remembered(const std::string& key, const Find& find) {
     if (const auto before = journal_.find(key)) return *before;
-    const Json found = find();
+    Json found = find();
     journal_.write(key, found);
     return found;
   }
