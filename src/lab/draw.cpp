@@ -1,22 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 
 #include "core/error.h"
 #include "gl/recorder.h"
 #include "gl/replay.h"
 #include "lab/job.h"
+#include "measure/clock.h"
 #include "recipe/recipe.h"
 
 namespace shadowlab::lab {
 namespace {
-
-double now() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 Buffers read(const gl::MainFrame& frame, std::string pass) {
   return {std::move(pass), frame.read_color(), frame.read_depth(), frame.read_stencil()};
@@ -95,7 +90,7 @@ void draw_into(Drawing& drawing, gl::Graphics& graphics, const Job& job, const S
 }
 
 Drawing drawn(gl::Graphics& graphics, const Job& job, const Shot& shot) {
-  const double began = now();
+  const double began = measure::now();
   Drawing drawing;
   try {
     draw_into(drawing, graphics, job, shot);
@@ -104,7 +99,7 @@ Drawing drawn(gl::Graphics& graphics, const Job& job, const Shot& shot) {
   } catch (const std::bad_alloc&) {
     drawing.error = "there is no memory left for that";
   }
-  drawing.milliseconds = now() - began;
+  drawing.milliseconds = measure::now() - began;
   return drawing;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "core/error.h"
+#include "measure/clock.h"
 
 namespace shadowlab::live {
 namespace {
@@ -14,11 +14,6 @@ namespace {
 constexpr double rest = 0.15;  // seconds after which a hand is thought to be still
 constexpr double slow = 40;    // ms: a frame that a hand feels
 constexpr int coarseness = 2;
-
-double now_ms() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 
@@ -94,7 +89,7 @@ void Studio::draw(Bench& bench, const Moment& moment) {
     recorder_.clear();
     graphics_.trace_into(&recorder_);
   }
-  const double began = now_ms();
+  const double began = measure::now();
   const auto drawn = bench.workshop.draw(moment);
   graphics_.trace_into(nullptr);
   if (drawn == Workshop::Drawn::nothing) {
@@ -102,7 +97,7 @@ void Studio::draw(Bench& bench, const Moment& moment) {
     return;
   }
   graphics_.gl.Finish.unrecorded();
-  bench.frame_ms = now_ms() - began;
+  bench.frame_ms = measure::now() - began;
   if (focused) inspector_.finish(*bench.workshop.recipe());
   if (focused && std::exchange(screenshot_wanted_, false)) save_screenshot();
   if (focused && film_ && film_time_ <= 0) {
