@@ -10,8 +10,8 @@
 #include "cli/gallery_page.h"
 #include "cli/progress.h"
 #include "cli/session.h"
+#include "core/clock.h"
 #include "core/error.h"
-#include "measure/clock.h"
 #include "measure/median.h"
 
 namespace shadowlab::cli {
@@ -30,14 +30,14 @@ constexpr double longest_timing = 1000;  // ms for one recipe
 
 double median_frame(gl::Graphics& graphics, recipe::Recipe& recipe) {
   std::vector<double> times;
-  const double end = measure::now() + longest_timing;
+  const double end = now_ms() + longest_timing;
   do {
     graphics.gl.Finish.unrecorded();
-    const double began = measure::now();
+    const double began = now_ms();
     recipe.draw();
     graphics.gl.Finish.unrecorded();
-    times.push_back(measure::now() - began);
-  } while (times.size() < most_frames && measure::now() < end);
+    times.push_back(now_ms() - began);
+  } while (times.size() < most_frames && now_ms() < end);
   return measure::median(times);
 }
 

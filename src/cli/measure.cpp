@@ -7,9 +7,9 @@
 #include "cli/files.h"
 #include "cli/progress.h"
 #include "cli/session.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/version.h"
-#include "measure/clock.h"
 #include "measure/page.h"
 #include "measure/sweep.h"
 #include "measure/table.h"
@@ -88,7 +88,7 @@ measure::SweepOptions options_of(const MeasureCommand& command, gl::Graphics& gr
 }
 
 Answer run(const MeasureCommand& command) {
-  const double began = measure::now();
+  const double began = now_ms();
   const std::string size = !command.size.empty() ? command.size
                            : command.quick       ? quick_size
                                                  : usual_size;
@@ -113,7 +113,7 @@ Answer run(const MeasureCommand& command) {
   const auto left_out = std::count_if(points.begin(), points.end(),
                                       [](const auto& point) { return point.contains("left_out"); });
   fmt::print("{} points, {} of them left out, in {:.0f} s: {}\n", points.size(), left_out,
-             (measure::now() - began) / 1000, (folder / "report.html").string());
+             (now_ms() - began) / 1000, (folder / "report.html").string());
   return Answer::yes;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "measure/clock.h"
+#include "core/clock.h"
 
 namespace shadowlab::cli {
 
@@ -14,7 +14,7 @@ ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 void ProgressLine::show(std::size_t done, std::size_t all, const std::string& what) {
   if (!terminal_) return;
-  const double now = measure::now();
+  const double now = now_ms();
   if (!shown_) {
     began_ = now;
     first_ = done;

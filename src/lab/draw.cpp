@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <new>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "gl/recorder.h"
 #include "gl/replay.h"
 #include "lab/job.h"
-#include "measure/clock.h"
 #include "recipe/recipe.h"
 
 namespace shadowlab::lab {
@@ -90,7 +90,7 @@ void draw_into(Drawing& drawing, gl::Graphics& graphics, const Job& job, const S
 }
 
 Drawing drawn(gl::Graphics& graphics, const Job& job, const Shot& shot) {
-  const double began = measure::now();
+  const double began = now_ms();
   Drawing drawing;
   try {
     draw_into(drawing, graphics, job, shot);
@@ -99,7 +99,7 @@ Drawing drawn(gl::Graphics& graphics, const Job& job, const Shot& shot) {
   } catch (const std::bad_alloc&) {
     drawing.error = "there is no memory left for that";
   }
-  drawing.milliseconds = measure::now() - began;
+  drawing.milliseconds = now_ms() - began;
   return drawing;
 }
 

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
+#include "core/clock.h"
 #include "core/error.h"
 #include "lab/digest.h"
 #include "lab/grade_pictures.h"
@@ -13,11 +12,6 @@ namespace {
 
 constexpr std::size_t most_tried = 6;       // states that are replaced, one after the other
 constexpr std::size_t most_printed = 2000;  // bytes that a report shows
-
-double now() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 void replace_all(std::string& text, const std::string& old, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
@@ -55,7 +49,7 @@ class Grading {
   }
 
   Result run(const Submission& submission, const DrawSubmission& draw) {
-    const double began = now();
+    const double began = now_ms();
     try {
       const Staged staged(submission);
       result_.digest = staged.digest();
@@ -68,7 +62,7 @@ class Grading {
       for (CaseResult& one : result_.cases)
         one.says = {say(options_.language, Say::recipe_fails, result_.error)};
     }
-    result_.seconds = now() - began;
+    result_.seconds = (now_ms() - began) / 1000;
     return std::move(result_);
   }
 

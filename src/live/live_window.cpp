@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "live/commands.h"
 #include "live/panels.h"
@@ -12,12 +12,7 @@
 namespace shadowlab::live {
 namespace {
 
-constexpr double frame = 1.0 / 60;
-
-double now() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
+constexpr double frame = 1000.0 / 60;  // ms
 
 class LiveWindow {
  public:
@@ -32,13 +27,13 @@ class LiveWindow {
   }
 
   void run() {
-    double last = now();
+    double last = now_ms();
     while (view_.open) {
-      take(window_.events(std::max(0.0, last + frame - now())));
-      const double present = now();
+      take(window_.events(std::max(0.0, last + frame - now_ms()) / 1000));
+      const double present = now_ms(), seconds = (present - last) / 1000;
       // A script that took seconds is no leap of the clock.
-      studio_.step(std::min(present - last, 0.25));
-      draw(present - last);
+      studio_.step(std::min(seconds, 0.25));
+      draw(seconds);
       last = present;
     }
   }

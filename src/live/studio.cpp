@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
-#include "measure/clock.h"
 
 namespace shadowlab::live {
 namespace {
@@ -89,7 +89,7 @@ void Studio::draw(Bench& bench, const Moment& moment) {
     recorder_.clear();
     graphics_.trace_into(&recorder_);
   }
-  const double began = measure::now();
+  const double began = now_ms();
   const auto drawn = bench.workshop.draw(moment);
   graphics_.trace_into(nullptr);
   if (drawn == Workshop::Drawn::nothing) {
@@ -97,7 +97,7 @@ void Studio::draw(Bench& bench, const Moment& moment) {
     return;
   }
   graphics_.gl.Finish.unrecorded();
-  bench.frame_ms = measure::now() - began;
+  bench.frame_ms = now_ms() - began;
   if (focused) inspector_.finish(*bench.workshop.recipe());
   if (focused && std::exchange(screenshot_wanted_, false)) save_screenshot();
   if (focused && film_ && film_time_ <= 0) {

@@ -7,8 +7,8 @@
 #include <map>
 #include <memory>
 
+#include "core/clock.h"
 #include "core/error.h"
-#include "measure/clock.h"
 
 namespace shadowlab::measure {
 namespace {
@@ -30,13 +30,13 @@ double frame_time(gl::Graphics& graphics, recipe::Recipe& recipe, double millise
   recipe.draw();
   graphics.gl.Finish.unrecorded();
   std::vector<double> times;
-  const double end = now() + milliseconds;
+  const double end = now_ms() + milliseconds;
   do {
-    const double began = now();
+    const double began = now_ms();
     recipe.draw();
     graphics.gl.Finish.unrecorded();
-    times.push_back(now() - began);
-  } while (now() < end);
+    times.push_back(now_ms() - began);
+  } while (now_ms() < end);
   return quantile(std::move(times), 0.5);
 }
 

@@ -6,8 +6,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <iterator>
 
+#include "core/clock.h"
 #include "core/version.h"
-#include "measure/clock.h"
 #include "measure/median.h"
 
 namespace shadowlab::measure {
@@ -98,10 +98,10 @@ class Calibration {
     std::vector<double> times;
     for (int i = 0; i < repetitions; ++i) {
       gl_.Finish();
-      const double begin = now();
+      const double begin = now_ms();
       for (int k = 0; k < draws; ++k) buffers.draw();
       gl_.Finish();
-      times.push_back((now() - begin) / draws);
+      times.push_back((now_ms() - begin) / draws);
     }
     return median(times);
   }

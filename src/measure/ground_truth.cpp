@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "measure/clock.h"
+#include "core/clock.h"
 
 namespace shadowlab::measure {
 namespace {
@@ -73,9 +73,9 @@ TracedTruth GroundTruth::trace(double radius) {
     sampling.error = bar_;
     traced.bar = bar_;
   }
-  const double began = now();
+  const double began = now_ms();
   truth::SoftTruth soft = tracer_->soft_visibility(scene_.camera, light, width, height, sampling);
-  traced.milliseconds = now() - began;
+  traced.milliseconds = now_ms() - began;
   traced.visibility = std::move(soft.visibility);
   traced.rays = soft.rays;
   traced.unconverged = soft.unconverged;

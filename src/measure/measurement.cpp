@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "gl/held.h"
 #include "image/flip.h"
 #include "image/heat_map.h"
-#include "measure/clock.h"
 
 namespace shadowlab::measure {
 namespace {
@@ -112,11 +112,11 @@ void draw_in_full(gl::Graphics& graphics, const Job& job, double radius,
   graphics.meshes.sweep();
   forget_peak();
   const std::uint64_t held_before = held_bytes(graphics);
-  const double began = now();
+  const double began = now_ms();
   const auto recipe = recipe_of(graphics, job, radius, Shading::full);
   look.passes = summed(count_fill(graphics, *recipe));
   const image::Image picture = graphics.frame.read_color();
-  look.first_frame = now() - began;
+  look.first_frame = now_ms() - began;
   look.peak_bytes = peak();
   const std::uint64_t held_after = held_bytes(graphics);
   look.gl_bytes = held_after > held_before ? held_after - held_before : 0;
@@ -149,13 +149,13 @@ Round time(gl::Graphics& graphics, const Job& job, double radius, double millise
   const auto recipe = recipe_of(graphics, job, radius, Shading::full);
   recipe->draw();  // what is made once
   graphics.gl.Finish.unrecorded();
-  const double end = now() + milliseconds;
+  const double end = now_ms() + milliseconds;
   do {
-    const double began = now();
+    const double began = now_ms();
     recipe->draw();
     graphics.gl.Finish.unrecorded();
-    round.frames.push_back(now() - began);
-  } while (static_cast<int>(round.frames.size()) < most && now() < end);
+    round.frames.push_back(now_ms() - began);
+  } while (static_cast<int>(round.frames.size()) < most && now_ms() < end);
   recipe->start_timing_passes();
   for (std::size_t i = 0; i < (round.frames.size() + 2) / 3; ++i) {
     recipe->draw();

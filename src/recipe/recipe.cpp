@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/near_names.h"
 #include "core/version.h"
@@ -15,11 +15,6 @@ namespace shadowlab::recipe {
 namespace {
 
 constexpr std::size_t most_passes = 10'000;
-
-double now() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 // Where files are looked for: beside the recipe, then shadowlab's own.
 std::vector<std::filesystem::path> folders(const std::filesystem::path& recipe_folder,
@@ -219,14 +214,14 @@ void Recipe::begin_pass(std::string_view name) {
   if (gl::Recorder* recorder = graphics_.recorder()) recorder->begin_pass(std::string(name));
   if (!time_passes_) return;
   graphics_.gl.Finish.unrecorded();
-  pass_began_ = now();
+  pass_began_ = now_ms();
 }
 
 void Recipe::end_pass() {
   if (!set_up_) return;
   if (time_passes_) {
     graphics_.gl.Finish.unrecorded();
-    passes_[pass_count_ - 1].milliseconds = now() - pass_began_;
+    passes_[pass_count_ - 1].milliseconds = now_ms() - pass_began_;
   }
   passes_[pass_count_ - 1].work = graphics_.calls().work - work_before_pass_;
   if (gl::Recorder* recorder = graphics_.recorder()) recorder->end_pass();

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/clock.h"
 #include "core/version.h"
 #include "measure/check.h"
 #include "measure/fill.h"
@@ -22,11 +22,6 @@ namespace shadowlab {
 namespace {
 
 constexpr int views = 5, frames = 11;
-
-double now() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 recipe::Options in_scene(const std::string& scene) {
   recipe::Options options;
@@ -61,10 +56,10 @@ class Side {
   }
   void draw() {
     graphics_.gl.Finish();
-    const double begin = now();
+    const double begin = now_ms();
     recipe_.draw();
     graphics_.gl.Finish();
-    times_.push_back(now() - begin);
+    times_.push_back(now_ms() - begin);
   }
   void end_view() { cost_.ms += measure::median(times_); }
   const image::Image& picture() const { return picture_; }

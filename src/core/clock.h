@@ -3,12 +3,12 @@
 
 #include <chrono>
 
-namespace shadowlab::measure {
+namespace shadowlab {
 
 /// Milliseconds since some fixed moment.
-inline double now() {
+inline double now_ms() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
-}  // namespace shadowlab::measure
+}  // namespace shadowlab
