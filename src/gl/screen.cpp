@@ -65,7 +65,8 @@ void ShownPicture::bind(int width, int height) {
   if (!texture_) {
     gl.GenTextures.unrecorded(1, {&texture_, 1});
     gl.BindTexture.unrecorded(GL_TEXTURE_2D, texture_);
-    set_filter(Filter::nearest);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      gl.TexParameteri.unrecorded(GL_TEXTURE_2D, filter, GL_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
       gl.TexParameteri.unrecorded(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
   }
@@ -97,15 +98,6 @@ void ShownPicture::upload(const image::Image& picture) {
   bind(picture.width, picture.height);
   gl.TexSubImage2D.unrecorded(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
                               std::as_bytes(std::span(rows)));
-}
-
-void ShownPicture::set_filter(Filter filter) {
-  const Functions& gl = graphics_.gl;
-  if (!texture_) return;
-  gl.BindTexture.unrecorded(GL_TEXTURE_2D, texture_);
-  const GLint value = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
-  gl.TexParameteri.unrecorded(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, value);
-  gl.TexParameteri.unrecorded(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value);
 }
 
 Screen::Screen(Graphics& graphics)

@@ -19,8 +19,6 @@
 
 namespace shadowlab::gl {
 
-enum class Filter { nearest, linear };
-
 /// A picture in GL that a screen can show.
 class ShownPicture {
  public:
@@ -32,7 +30,6 @@ class ShownPicture {
   /// The main frame's colours as they are now, copied within GL.
   void copy_main_frame();
   void upload(const image::Image& picture);
-  void set_filter(Filter filter);
 
   GLuint texture() const { return texture_; }
   int width() const { return width_; }

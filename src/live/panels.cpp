@@ -34,8 +34,7 @@ Places places(const View& view) {
 
 void draw_status(Studio& studio, const View& view, const Rectangle& area) {
   if (!begin_place("status", area, Scrolling::no)) return ImGui::End();
-  const Bench& bench = studio.bench();
-  std::string text = fmt::format("{:.1f} ms", bench.frame_ms);
+  std::string text = fmt::format("{:.1f} ms", view.readings.frame_ms());
   const Clock& clock = studio.clock();
   text += fmt::format("    t = {:.2f} s{}{}", clock.time(), clock.paused() ? ", paused" : "",
                       clock.speed() != 1 ? ", slow" : "");
@@ -113,7 +112,17 @@ bool begin_place(const char* name, const Rectangle& area, Scrolling scrolls) {
                           scrolling);
 }
 
+bool choice(const char* name, bool chosen) {
+  if (chosen)
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_HeaderActive]);
+  const bool clicked = ImGui::Button(name);
+  if (chosen) ImGui::PopStyleColor();
+  return clicked;
+}
+
 void draw_window(Studio& studio, View& view, const Interface& interface) {
+  view.readings.add(studio.bench().frame_ms, studio.inspector().passes(),
+                    static_cast<double>(ImGui::GetIO().DeltaTime));
   const Places places = live::places(view);
   const auto areas = shares(places.middle, studio.benches().size());
   std::optional<std::size_t> clicked;

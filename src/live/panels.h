@@ -22,4 +22,8 @@ void draw_help(Studio& studio, View& view);
 enum class Scrolling { yes, no };
 bool begin_place(const char* name, const Rectangle& area, Scrolling scrolls = Scrolling::yes);
 
+/// A flat button that stays down while it is chosen: a circle to tick has thirty times its
+/// triangles.
+bool choice(const char* name, bool chosen);
+
 }  // namespace shadowlab::live

@@ -96,13 +96,13 @@ void draw_one(Studio& studio, View& view, std::size_t index,
 void draw_parameters(Studio& studio, View& view) {
   const recipe::Recipe* recipe = studio.bench().workshop.recipe();
   if (!recipe) {
-    ImGui::TextWrapped("%s", studio.bench().workshop.file().string().c_str());
+    ImGui::TextWrapped("%s", studio.bench().workshop.file().filename().string().c_str());
     return;
   }
   const recipe::Description& description = recipe->description();
   ImGui::TextWrapped("%s", description.title.c_str());
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
-  ImGui::TextWrapped("%s", studio.bench().workshop.file().string().c_str());
+  ImGui::TextWrapped("%s", studio.bench().workshop.file().filename().string().c_str());
   if (!description.scene.empty()) ImGui::TextWrapped("scene %s", description.scene.c_str());
   ImGui::PopStyleColor();
   ImGui::Spacing();

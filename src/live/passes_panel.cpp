@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "live/panels.h"
 
@@ -10,34 +11,33 @@ namespace {
 
 constexpr float list_height = 0.38f;  // of the panel
 
-void draw_list(Studio& studio) {
+void draw_list(Studio& studio, const View& view) {
   const auto& passes = studio.inspector().passes();
-  double longest = 0, all = 0;
-  for (const PassReport& pass : passes) {
-    longest = std::max(longest, pass.milliseconds);
-    all += pass.milliseconds;
-  }
+  const std::vector<double>& times = view.readings.passes_ms();
+  const double longest = times.empty() ? 0 : std::ranges::max(times);
+  const double all = std::accumulate(times.begin(), times.end(), 0.0);
   ImGui::Text("%zu passes, %.2f ms", passes.size(), all);
   ImGui::BeginChild("list", {0, ImGui::GetWindowHeight() * list_height}, false);
   if (ImGui::Selectable("the whole frame", !studio.chosen_pass())) studio.choose_pass({});
   const float width = ImGui::GetContentRegionAvail().x, number = ImGui::CalcTextSize("000.00 ").x;
-  for (std::size_t i = 0; i < passes.size(); ++i) {
+  for (std::size_t i = 0; i < passes.size() && i < times.size(); ++i) {
     const PassReport& pass = passes[i];
     ImGui::PushID(static_cast<int>(i));
     const bool chosen = studio.chosen_pass() == pass.name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     // A bar below the name says how much of the frame it took.
-    const auto share = static_cast<float>(longest > 0 ? pass.milliseconds / longest : 0);
+    const auto share = static_cast<float>(longest > 0 ? times[i] / longest : 0);
     ImGui::GetWindowDrawList()->AddRectFilled(
         {at.x, at.y + ImGui::GetTextLineHeight() + 1},
         {at.x + share * width, at.y + ImGui::GetTextLineHeight() + 3},
         ImGui::GetColorU32(ImGuiCol_CheckMark));
     ImGui::PushClipRect(at, {at.x + width - number, at.y + 3 * ImGui::GetTextLineHeight()}, true);
     if (ImGui::Selectable(pass.name.name.c_str(), chosen)) studio.choose_pass(pass.name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", pass.name.name.c_str());
     if (chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     ImGui::PopClipRect();
     ImGui::SameLine(width - number);
-    ImGui::Text("%6.2f", pass.milliseconds);
+    ImGui::Text("%6.2f", times[i]);
     ImGui::PopID();
   }
   ImGui::EndChild();
@@ -46,7 +46,7 @@ void draw_list(Studio& studio) {
 void draw_buffers(Studio& studio) {
   using Buffer = LookedAt::Buffer;
   const auto button = [&](const char* name, LookedAt what) {
-    if (ImGui::RadioButton(name, studio.looked_at() == what)) studio.look_at(what);
+    if (choice(name, studio.looked_at() == what)) studio.look_at(what);
   };
   button("colour", {Buffer::color, 0});
   ImGui::SameLine();
@@ -145,13 +145,13 @@ void draw_pixel(Studio& studio) {
 }  // namespace
 
 void draw_passes(Studio& studio, View& view, const Interface& interface) {
-  draw_list(studio);
+  draw_list(studio, view);
   ImGui::Separator();
   draw_buffers(studio);
   ImGui::Separator();
   using Details = View::Details;
   const auto tab = [&](const char* name, Details details) {
-    if (ImGui::RadioButton(name, view.details == details)) view.details = details;
+    if (choice(name, view.details == details)) view.details = details;
   };
   tab("state", Details::state);
   ImGui::SameLine();

@@ -111,9 +111,9 @@ void draw_overlay(ImDrawList& list, const Studio& studio, const View& view) {
       IM_COL32(255, 220, 60, 255), IM_COL32(90, 200, 255, 255), IM_COL32(120, 255, 130, 255),
       IM_COL32(255, 120, 220, 255)};
   std::size_t drawn = 0;
-  // Faces that share an edge would show it as a line, were their borders smoothed.
+  // Lines are smooth; faces that share an edge would show it as a line, were their borders too.
   const ImDrawListFlags before = list.Flags;
-  list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  list.Flags |= ImDrawListFlags_AntiAliasedLines;
   for (const Shape& shape :
        shapes(view.overlay, *recipe->scene(), *camera, studio.aspect(), *light)) {
     if (static_cast<double>(++drawn) > drawn_edges) break;
@@ -140,8 +140,11 @@ void draw_light(ImDrawList& list, const Studio& studio, const View& view) {
   if (place.distance <= 0) return;
   const ImVec2 at = vec(view.picture.to_screen({place.x, place.y}));
   const float radius = ImGui::GetFontSize() * 0.4f;
+  const ImDrawListFlags before = list.Flags;
+  list.Flags |= ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
   list.AddCircleFilled(at, radius, IM_COL32(255, 235, 150, 255));
   list.AddCircle(at, radius + 1.5f, IM_COL32(30, 30, 30, 255), 0, 2);
+  list.Flags = before;
 }
 
 // What is in a pixel, in as many lines as are of interest.

@@ -8,6 +8,7 @@
 #include "live/interface.h"
 #include "live/overlay.h"
 #include "live/picture_view.h"
+#include "live/readings.h"
 
 namespace shadowlab::live {
 
@@ -19,6 +20,7 @@ struct View {
   context::Extent extent = context::Extent::windowed;
   Overlay overlay = Overlay::none;
   PictureView picture;
+  Readings readings;
   double slider = 0.5;        ///< right of it is the truth: of the picture's width
   bool slides = false;        ///< the pointer holds it
   std::size_t parameter = 0;  ///< the one that the keys are about
