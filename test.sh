@@ -39,8 +39,7 @@ else
   echo "Xvfb does not start (see build/xvfb.log): tests of windows are skipped." >&2
 fi
 export MESA_SHADER_CACHE_DIR=$PWD/build/shader_cache
-# As many tests as cores run at once, so each draws on its own thread alone. LeakSanitizer, which stops
-# every thread at exit, also crashes now and then on a driver's thread that is just ending.
+# As many tests as cores run at once, so each draws on its own thread alone.
 export LP_NUM_THREADS=${LP_NUM_THREADS:-0}
 
 # Not exec: the display ends when the tests have.
