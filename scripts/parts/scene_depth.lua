@@ -15,7 +15,7 @@ end
 
 -- Leaves 1 in the stencil where a caster is seen. A caster that touches a receiver which hides it could
 -- still win a pixel there, by a side that is turned from the light: so who is seen is decided first, with
--- the casters pushed back.
+-- the casters pushed back. As far as the caps of their volumes are: what hides a caster hides its cap.
 function scene_depth.draw(objects, shader, seen)
   local function draw(casts)
     for _, object in ipairs(objects) do
@@ -27,7 +27,7 @@ function scene_depth.draw(objects, shader, seen)
   gl.Enable(gl.STENCIL_TEST)
   gl.StencilFunc(gl.ALWAYS, 1, 0xFF)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.REPLACE)
-  gl.PolygonOffset(1 / 512, 2)
+  gl.PolygonOffset(1 / 512, 0)
   draw(true)
   gl.StencilFunc(gl.EQUAL, 1, 0xFF)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)

@@ -38,6 +38,20 @@ TEST_F(Check, z_fail_and_auto_are_right_everywhere_beyond_a_pixel_of_an_edge) {
   }
 }
 
+// Where a receiver hides the foot of a box by less than depths are rounded, it hides the cap in
+// that face too: else z-fail has one count less than z-pass, and a dark pixel at the foot.
+TEST(CheckFoot, what_hides_a_caster_hides_the_cap_of_its_volume) {
+  gl::Graphics graphics(context::create(), 256, 256);
+  for (const char* recipe : {"volumes_zfail", "volumes_auto"}) {
+    CheckOptions options;
+    options.scene = "lamps";
+    options.views = 2;
+    EXPECT_EQ(check(graphics, home() / "scripts" / (std::string(recipe) + ".lua"), options).wrong,
+              0u)
+        << recipe;
+  }
+}
+
 TEST_F(Check, volumes_that_shaders_make_are_right_everywhere_beyond_a_pixel_of_an_edge) {
   for (const char* extruder : {"vertex", "geometry"}) {
     for (const char* scene : {"tetra", "mobius", "room"}) {
