@@ -12,11 +12,9 @@
 namespace shadowlab::cli {
 namespace {
 
-// A script that never ends holds the window still for so long.
-constexpr double longest_frame = 4;
-
 struct LiveCommand {
   DrawOptions draw;
+  double longest_frame = 4;  // seconds
   std::vector<std::string> others;
 };
 
@@ -29,7 +27,7 @@ void run(const LiveCommand& command) {
   for (const std::string& setting : command.draw.settings)
     options.studio.settings.push_back(parse_setting(setting));
   options.studio.recipe.scene = command.draw.scene;
-  options.studio.recipe.limits.seconds = longest_frame;
+  options.studio.recipe.limits.seconds = command.longest_frame;
   options.studio.recipe.time_passes = true;
   options.studio.recipe.print = [](std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
@@ -48,6 +46,12 @@ void add_live(CLI::App& app, Answer& answer) {
   command
       ->add_option("others", options->others, "More recipes, beside it with its camera and light")
       ->type_name("RECIPE");
+  command
+      ->add_option("--limit", options->longest_frame,
+                   "A frame that takes longer is stopped, and is an error")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->footer("Example:\n  shadowlab live my_shadow.lua\nF1 in the window shows its keys.");
   command->callback([options, &answer] {
     run(*options);

@@ -13,6 +13,7 @@ namespace shadowlab::live {
 namespace {
 
 constexpr double frame = 1000.0 / 60;  // ms
+constexpr double patience = 1;         // seconds after which a frame is long
 
 class LiveWindow {
  public:
@@ -22,15 +23,18 @@ class LiveWindow {
         window_(*graphics_.context().window()),
         screen_(graphics_),
         interface_(graphics_),
-        studio_(graphics_, options.studio) {
+        studio_(graphics_, listening(options.studio)) {
     view_.panels = options.panels == LiveOptions::Panels::shown;
   }
 
   void run() {
     double last = now_ms();
     while (view_.open) {
-      take(window_.events(std::max(0.0, last + frame - now_ms()) / 1000));
+      hear(std::max(0.0, last + frame - now_ms()) / 1000);
+      take(std::exchange(heard_, {}));
+      stops_ = false;
       const double present = now_ms(), seconds = (present - last) / 1000;
+      drawing_since_ = present;
       // A script that took seconds is no leap of the clock.
       studio_.step(std::min(seconds, 0.25));
       draw(seconds);
@@ -39,6 +43,40 @@ class LiveWindow {
   }
 
  private:
+  StudioOptions listening(StudioOptions options) {
+    options.recipe.stop = [this] { return is_to_stop(); };
+    return options;
+  }
+
+  void hear(double seconds) {
+    for (context::Event& event : window_.events(seconds)) heard_.push_back(std::move(event));
+  }
+
+  // While a script runs the window goes on listening, so that no script holds it: what is asked of
+  // it waits for the frame's end, but to close it, and to stop or reload a recipe that takes long.
+  bool is_to_stop() {
+    const std::size_t before = heard_.size();
+    hear(0);
+    const double seconds = (now_ms() - drawing_since_) / 1000;
+    const bool long_enough = seconds > patience;
+    for (std::size_t i = before; i < heard_.size(); ++i) {
+      const auto* const key = std::get_if<context::KeyEvent>(&heard_[i]);
+      const bool pressed = key && key->press == context::Press::down;
+      const bool quits = pressed && key->character == 'q' && key->modifiers.control;
+      if (quits || std::holds_alternative<context::CloseAsked>(heard_[i])) view_.open = false;
+      if (!pressed || !long_enough) continue;
+      if (key->key == context::Key::f5) stops_ = true;
+      if (key->key == context::Key::escape) {
+        stops_ = true;
+        heard_.erase(heard_.begin() + static_cast<std::ptrdiff_t>(i));  // no wish to quit
+        break;
+      }
+    }
+    if (long_enough)
+      set_title(fmt::format("drawing for {:.0f} s, Esc stops it - shadowlab", seconds));
+    return stops_ || !view_.open;
+  }
+
   void take(const std::vector<context::Event>& events) {
     for (const context::Event& event : events) {
       interface_.take(event);
@@ -61,7 +99,7 @@ class LiveWindow {
   }
 
   void draw(double seconds) {
-    set_title();
+    set_title(title());
     window_.set_extent(view_.extent);
     const context::Size size = window_.size();
     if (size.width < 1 || size.height < 1) return;
@@ -87,12 +125,15 @@ class LiveWindow {
   }
 
   // What a desktop's list of windows, and a test, can read.
-  void set_title() {
+  std::string title() const {
     const Bench& bench = studio_.bench();
     std::string title = bench.workshop.file().filename().string();
     if (bench.workshop.failure()) title += " - error";
     if (const auto& pass = studio_.chosen_pass()) title += " - " + pass->name;
-    title += " - shadowlab";
+    return title + " - shadowlab";
+  }
+
+  void set_title(const std::string& title) {
     if (title == title_) return;
     title_ = title;
     window_.set_title(title);
@@ -102,9 +143,12 @@ class LiveWindow {
   context::Window& window_;
   gl::Screen screen_;
   Interface interface_;
-  Studio studio_;
   View view_;
   std::string title_;
+  std::vector<context::Event> heard_;
+  double drawing_since_ = 0;  ///< ms
+  bool stops_ = false;        ///< the recipes of this step
+  Studio studio_;
 };
 
 }  // namespace

@@ -37,17 +37,18 @@ Workshop::Workshop(gl::Graphics& graphics, std::filesystem::path file, recipe::O
     files_.insert(asked);
     watcher_.watch(asked);
   };
+  options_.stop = [this, stop = options_.stop] { return is_superseded() || (stop && stop()); };
   watcher_.watch(file_);
+}
+
+bool Workshop::is_superseded() {
+  if (watcher_.changed()) wanted_ = superseded_ = true;
+  return superseded_;
 }
 
 bool Workshop::look() {
   if (watcher_.changed()) wanted_ = true;
   return wanted_;
-}
-
-void Workshop::fail(std::string_view error, Failure::Stage stage) {
-  failure_ = failure_of(error, stage);
-  frame_broken_ = true;
 }
 
 void Workshop::carry_over(recipe::Recipe& recipe) const {
@@ -71,7 +72,7 @@ void Workshop::carry_over(recipe::Recipe& recipe) const {
 }
 
 Workshop::Drawn Workshop::draw_candidate(const Moment& moment) {
-  wanted_ = false;
+  wanted_ = superseded_ = false;
   auto stage = Failure::Stage::loading;
   std::unique_ptr<recipe::Recipe> candidate;
   const auto files_before = std::exchange(files_, {file_});
@@ -83,10 +84,12 @@ Workshop::Drawn Workshop::draw_candidate(const Moment& moment) {
     stage = Failure::Stage::frame;
     candidate->draw(moment.time);
   } catch (const std::exception& problem) {
-    if (candidate && !candidate->is_set_up()) stage = Failure::Stage::setup;
-    fail(sentence_of(problem), stage);
-    failure_is_its_ = false;
     files_.insert(files_before.begin(), files_before.end());
+    frame_broken_ = true;
+    if (superseded_) return Drawn::nothing;
+    if (candidate && !candidate->is_set_up()) stage = Failure::Stage::setup;
+    failure_ = failure_of(sentence_of(problem), stage);
+    failure_is_its_ = false;
     return Drawn::nothing;
   }
   watcher_.keep(files_);
@@ -117,12 +120,14 @@ Workshop::Drawn Workshop::draw(const Moment& moment) {
     if (std::exchange(failure_is_its_, false)) failure_.reset();
     return Drawn::picture;
   } catch (const std::exception& problem) {
+    frame_broken_ = true;
+    if (superseded_) return Drawn::nothing;
+    failed_here_ = true;
     // What is wrong with the version on the disk says more, and stays.
     if (!failure_ || failure_is_its_) {
-      fail(sentence_of(problem), Failure::Stage::frame);
+      failure_ = failure_of(sentence_of(problem), Failure::Stage::frame);
       failure_is_its_ = true;
     }
-    frame_broken_ = failed_here_ = true;
     return Drawn::nothing;
   }
 }

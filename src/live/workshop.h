@@ -27,7 +27,8 @@ struct Moment {
 
 class Workshop {
  public:
-  /// `options` are every version's. Draws nothing.
+  /// `options` are every version's. Draws nothing. While a script runs the files are looked at too:
+  /// one that is saved stops the version that it replaces, and an endless one no longer matters.
   Workshop(gl::Graphics& graphics, std::filesystem::path file, recipe::Options options);
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
@@ -74,9 +75,9 @@ class Workshop {
   }
 
  private:
+  bool is_superseded();
   Drawn draw_candidate(const Moment& moment);
   void carry_over(recipe::Recipe& recipe) const;
-  void fail(std::string_view error, Failure::Stage stage);
 
   gl::Graphics& graphics_;
   std::filesystem::path file_;
@@ -90,6 +91,7 @@ class Workshop {
   std::map<std::string, glm::dmat4> models_;
   std::function<void(recipe::Recipe&)> listener_;
   bool wanted_ = true;
+  bool superseded_ = false;      ///< a file was saved while the version that it replaces was drawn
   bool failed_here_ = false;     ///< the version that runs failed, and nothing changed since
   bool failure_is_its_ = false;  ///< `failure_` is of the version that runs, not of a newer one
   bool frame_broken_ = false;    ///< the main frame holds what a failure left in it

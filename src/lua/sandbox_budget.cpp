@@ -18,6 +18,8 @@ constexpr int usual_interval = 1000;
 // times between two looks at the clock: a second at worst, and as much for larger blocks.
 constexpr std::size_t usual_block = std::size_t{1} << 20;
 
+constexpr std::chrono::milliseconds between_questions{20};
+
 void count_hook(lua_State* L, lua_Debug*) { State::of(L).budget().on_hook(L); }
 
 }  // namespace
@@ -33,8 +35,10 @@ Budget::Budget(std::uint64_t instructions, double seconds)
 void Budget::restart(lua_State* L) {
   using Clock = std::chrono::steady_clock;
   constexpr double longest = 1e9;  // thirty years: far from what the clock's count of ns can hold
-  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                 std::chrono::duration<double>(std::min(seconds_, longest)));
+  const Clock::time_point now = Clock::now();
+  deadline_ = now + std::chrono::duration_cast<Clock::duration>(
+                        std::chrono::duration<double>(std::min(seconds_, longest)));
+  next_question_ = now + between_questions;
   spent_ = 0;
   unlooked_ = 0;
   sentence_.clear();
@@ -59,9 +63,14 @@ void Budget::spend(std::uint64_t cost) {
 
 void Budget::look_at_clock() {
   unlooked_ = 0;
-  if (std::chrono::steady_clock::now() < deadline_) return;
-  exhaust(fmt::format("the recipe ran for more than {:g} seconds in one go; does a loop never end?",
-                      seconds_));
+  const auto now = std::chrono::steady_clock::now();
+  if (now >= deadline_) {
+    return exhaust(fmt::format(
+        "the recipe ran for more than {:g} seconds in one go; does a loop never end?", seconds_));
+  }
+  if (!stop_ || now < next_question_) return;
+  next_question_ = now + between_questions;
+  if (stop_()) exhaust("the recipe was stopped");
 }
 
 void Budget::exhaust(const std::string& sentence) {

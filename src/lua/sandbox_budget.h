@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <lua.hpp>
 #include <string>
 
@@ -28,6 +29,9 @@ class Budget {
   /// Counts `cost` instructions' worth of work and looks at the clock now and then; raises no
   /// error.
   void spend(std::uint64_t cost);
+
+  /// Asks `stop` every 20 ms while a script runs, whether it is to end. It must not throw.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
 
   /// Whether instructions are counted; else an Alarm must call `tick` while the script runs.
   bool counts() const { return counts_; }
@@ -66,6 +70,8 @@ class Budget {
   std::uint64_t spent_ = 0;
   std::uint64_t unlooked_ = 0;  // work since the last look at the clock
   std::chrono::steady_clock::time_point deadline_;
+  std::function<bool()> stop_;
+  std::chrono::steady_clock::time_point next_question_;
   std::atomic<lua_State*> running_ = nullptr;  // a signal reads it
   std::size_t largest_block_ = 0;
   int interval_;

@@ -72,6 +72,9 @@ class State {
   /// Sets what adds the place to errors; called while the failing function is still running.
   void set_place(Place place) { place_ = std::move(place); }
 
+  /// Asked every 20 ms while the script runs, whether it is to end: "the recipe was stopped".
+  void stop_when(std::function<bool()> stop) { budget_.stop_when(std::move(stop)); }
+
   /// A fresh time and instruction budget, as each frame gets. Not while the script runs.
   void restart_budget() { budget_.restart(lua_); }
   /// Counts long native work, in instructions of Lua (about 2 ns each). Throws InputError when the

@@ -43,6 +43,7 @@ Recipe::Recipe(gl::Graphics& graphics, const std::filesystem::path& file, Option
     stage_.planned = std::make_shared<lua::Planned>();
   graphics_.begin_frame();
   state_.on_file(options.on_file);
+  state_.stop_when(options.stop);
   state_.search_in({folder_of(file), home() / "scripts"});
   try {
     state_.run([&](lua_State* L) {

@@ -56,6 +56,7 @@ struct PassTime {
 struct Options {
   lua::Limits limits;
   lua::PrintSink print;              ///< where print goes; nowhere if empty
+  std::function<bool()> stop;        ///< see State::stop_when; never if empty
   std::optional<std::string> scene;  ///< in place of the recipe's own
   bool time_passes = false;          ///< glFinish around each pass
   bool explain = false;              ///< collect explanations()

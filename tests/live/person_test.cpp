@@ -63,6 +63,32 @@ TEST_F(Person, saves_and_sees_the_new_picture_and_an_error_over_the_last_one) {
   EXPECT_EQ(ended(), 0) << said();
 }
 
+// With a limit that no test waits for: the window listens while the recipe runs.
+TEST_F(Person, mends_stops_and_quits_an_endless_recipe) {
+  copy_recipe();
+  open(std::string("mine.lua --limit 6000") + options);
+  show_alone();
+  const auto draws_on = [&] {
+    return soon([&] { return title().find("Esc stops it") != std::string::npos; });
+  };
+  const std::string line = "gl.Enable(gl.DEPTH_TEST)";
+  edit(line, "while true do end");
+  EXPECT_TRUE(draws_on());
+  edit("while true do end", line);
+  const image::Image expected = picture();
+  EXPECT_TRUE(soon([&] { return title() == "mine.lua - shadowlab"; })) << title();
+  EXPECT_TRUE(soon([&] { return shows(expected); }));
+  edit(line, "while true do end");
+  EXPECT_TRUE(draws_on());
+  press("Escape");
+  EXPECT_TRUE(soon([&] { return title() == "mine.lua - error - shadowlab"; })) << title();
+  EXPECT_TRUE(soon([&] { return shows(expected); })) << "the last good picture stands";
+  press("F5");
+  EXPECT_TRUE(draws_on());
+  press("ctrl+q");
+  EXPECT_EQ(ended(), 0) << said();
+}
+
 TEST_F(Person, steps_through_the_passes_by_the_arrows) {
   copy_recipe();
   EXPECT_EQ(run(std::string("run mine.lua --captures passes -o all.png") + options), 0);

@@ -170,6 +170,28 @@ TEST_F(WorkshopTest, a_frame_that_fails_is_not_tried_again_until_something_chang
   EXPECT_FALSE(workshop.failure());
 }
 
+TEST_F(WorkshopTest, an_endless_version_ends_when_it_is_mended) {
+  options.limits.instructions = lua::uncounted;
+  options.limits.seconds = 600;
+  const std::string endless =
+      "local recipe = {}\nfunction recipe.draw() while true do end end\nreturn recipe\n";
+  bool mends = false;
+  options.stop = [&] {
+    if (std::exchange(mends, false)) write("a.lua", filling(20));
+    return false;
+  };
+  write("a.lua", filling(10));
+  Workshop workshop(graphics, folder / "a.lua", options);
+  workshop.draw({});
+  write("a.lua", endless);
+  mends = true;
+  EXPECT_GT(looks_until_tried(workshop), 0);
+  EXPECT_FALSE(workshop.failure()) << "what was mended is no error";
+  EXPECT_TRUE(workshop.look());
+  EXPECT_EQ(workshop.draw({}), Drawn::picture);
+  EXPECT_EQ(pixel()[0], 20);
+}
+
 TEST_F(WorkshopTest, a_recipe_that_goes_away_and_comes_back_is_an_error_in_between) {
   write("a.lua", filling(10));
   Workshop workshop(graphics, folder / "a.lua", options);

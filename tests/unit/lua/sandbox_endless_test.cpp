@@ -33,6 +33,19 @@ Limits clock_limits(double seconds) {
   return limits;
 }
 
+// By the hook that looks at the clock, and by the one that counts.
+TEST(Stopping, a_script_ends_when_it_is_asked_to) {
+  for (const std::uint64_t instructions : {uncounted, uncounted - 1}) {
+    Limits limits = clock_limits(600);
+    limits.instructions = instructions;
+    Script script(limits);
+    int questions = 0;
+    script.state().stop_when([&questions] { return ++questions == 3; });
+    EXPECT_EQ(script.error("while true do end"), "a.lua:1: the recipe was stopped");
+    EXPECT_EQ(questions, 3);
+  }
+}
+
 TEST_P(Endless, ends_with_the_count) { expect_end(GetParam(), small_limits()); }
 
 TEST_P(Endless, ends_with_the_clock) { expect_end(GetParam(), clock_limits(0.1)); }
