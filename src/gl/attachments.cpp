@@ -6,14 +6,10 @@
 #include <array>
 #include <optional>
 
+#include "gl/get.h"
+
 namespace shadowlab::gl {
 namespace {
-
-GLint integer(const Functions& gl, GLenum name) {
-  std::array<GLint, 16> values{};
-  gl.GetIntegerv.unrecorded(name, values);
-  return values[0];
-}
 
 GLint parameter(const Functions& gl, GLenum attachment, GLenum what) {
   GLint value = 0;

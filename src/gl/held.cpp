@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gl/get.h"
+
 namespace shadowlab::gl {
 namespace {
 
@@ -15,12 +17,6 @@ void each(const IsObject& is_object, const Visit& visit) {
     last = name;
     visit(name);
   }
-}
-
-GLint integer(const Functions& gl, GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv.unrecorded(name, {&value, 1});
-  return value;
 }
 
 struct TextureKind {

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <span>
 
+#include "gl/get.h"
+
 namespace shadowlab::gl {
 namespace {
-
-GLint integer(const Functions& gl, GLenum name) {
-  std::array<GLint, 4> values{};  // GL_POLYGON_MODE gives two in a compatibility profile
-  gl.GetIntegerv.unrecorded(name, values);
-  return values[0];
-}
 
 // Off by default, all but these two (OpenGL 4.5, tables 23.11 to 23.16).
 bool on_by_default(GLenum capability) {

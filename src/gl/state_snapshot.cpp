@@ -4,14 +4,10 @@
 
 #include <string_view>
 
+#include "gl/get.h"
+
 namespace shadowlab::gl {
 namespace {
-
-GLint integer(const Functions& gl, GLenum name) {
-  std::array<GLint, 16> values{};
-  gl.GetIntegerv.unrecorded(name, values);
-  return values[0];
-}
 
 template <std::size_t N>
 std::array<GLint, N> integers(const Functions& gl, GLenum name) {

@@ -6,22 +6,10 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "gl/sizes.h"
 
 namespace shadowlab::gl {
 namespace {
-
-std::size_t bytes_of(GLenum type) {
-  switch (type) {
-    case GL_BYTE:
-    case GL_UNSIGNED_BYTE:
-      return 1;
-    case GL_SHORT:
-    case GL_UNSIGNED_SHORT:
-      return 2;
-    default:
-      return 4;
-  }
-}
 
 std::uint64_t index_at(const std::byte* bytes, std::size_t size) {
   std::uint32_t wide = 0;
@@ -101,7 +89,7 @@ void VertexInput::check_pointer(GLint size, GLsizei stride) const {
 void VertexInput::point(GLuint index, GLint size, GLenum type, GLsizei stride, GLsizeiptr offset) {
   Attribute& attribute = arrays_[array_].attributes[index];
   attribute.buffer = array_buffer_;
-  attribute.element = static_cast<std::size_t>(size) * bytes_of(type);
+  attribute.element = static_cast<std::size_t>(size) * bytes_of_type(type);
   attribute.stride = stride == 0 ? attribute.element : static_cast<std::size_t>(stride);
   attribute.offset = static_cast<std::size_t>(offset);
 }
@@ -155,7 +143,7 @@ void VertexInput::check_elements(GLsizei count, GLenum type, GLsizeiptr offset,
     throw InputError(
         "no buffer of indices is bound; call gl.BindBuffer(gl.ELEMENT_ARRAY_BUFFER, …) first");
   }
-  const std::size_t each = bytes_of(type);
+  const std::size_t each = bytes_of_type(type);
   const std::size_t size = buffer->second.size();
   const std::size_t needed = static_cast<std::size_t>(count) * each;
   if (offset < 0 || static_cast<std::size_t>(offset) > size ||

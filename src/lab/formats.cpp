@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base64.h"
 #include "core/error.h"
 #include "lab/report.h"
 #include "lab/text_file.h"
@@ -24,20 +25,6 @@ double rounded(double score) { return std::round(score * 1e6) / 1e6; }
 
 std::string output_of(const CaseResult& one) {
   return fmt::format("{}", fmt::join(one.says, "\n"));
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : digits[word >> (18 - 6 * k) & 63];
-  }
-  return text;
 }
 
 // XML is UTF-8 without control characters, whatever a submission's error says.

@@ -23,19 +23,6 @@ void append_value(std::vector<double>& numbers, const T* value, int components) 
 
 }  // namespace
 
-std::size_t bytes_of_type(GLenum type) {
-  switch (type) {
-    case GL_BYTE:
-    case GL_UNSIGNED_BYTE:
-      return 1;
-    case GL_SHORT:
-    case GL_UNSIGNED_SHORT:
-      return 2;
-    default:
-      return 4;
-  }
-}
-
 std::vector<double> read_numbers(const Call& call, int index, std::size_t most) {
   lua_State* L = call.L;
   std::vector<double> numbers;

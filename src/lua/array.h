@@ -46,7 +46,4 @@ std::vector<T> read_array_of(const Call& call, int index, std::size_t count) {
 /// a string of raw bytes.
 std::vector<std::byte> read_bytes(const Call& call, int index, GLenum type, std::size_t most_bytes);
 
-/// Bytes of one number of `type`.
-std::size_t bytes_of_type(GLenum type);
-
 }  // namespace shadowlab::lua

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "gl/texel_bytes.h"
+#include "gl/sizes.h"
 #include "lua/boxes.h"
 #include "lua/object.h"
 

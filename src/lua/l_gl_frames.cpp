@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "gl/texel_bytes.h"
+#include "gl/sizes.h"
 #include "lua/array.h"
 #include "lua/bind.h"
 #include "lua/l_gl.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstring>
 
+#include "gl/sizes.h"
 #include "lua/array.h"
 #include "lua/bind.h"
 #include "lua/l_gl.h"
@@ -115,26 +116,6 @@ int get_renderbuffer_parameter(lua_State* L) {
 
 // ---- reading back
 
-std::size_t components_of(const Call& call, GLenum format) {
-  switch (format) {
-    case GL_RG:
-    case GL_RG_INTEGER:
-      return 2;
-    case GL_RGB:
-    case GL_BGR:
-    case GL_RGB_INTEGER:
-      return 3;
-    case GL_RGBA:
-    case GL_BGRA:
-    case GL_RGBA_INTEGER:
-      return 4;
-    case GL_DEPTH_STENCIL:
-      call.refuse("read gl.DEPTH_COMPONENT and gl.STENCIL_INDEX one by one");
-    default:
-      return 1;
-  }
-}
-
 double number_at(const std::byte* bytes, GLenum type) {
   const auto as = [bytes]<class T>(T value) {
     std::memcpy(&value, bytes, sizeof value);
@@ -164,13 +145,13 @@ int read_pixels(lua_State* L) {
   call.expect(6);
   const auto [x, y, width, height, format, type] =
       call.arguments<gl::Int, gl::Int, gl::Size, gl::Size, gl::PixelFormat, gl::PixelType>();
-  if (type == GL_UNSIGNED_INT_24_8)
+  if (format == GL_DEPTH_STENCIL || type == GL_UNSIGNED_INT_24_8)
     call.refuse("read gl.DEPTH_COMPONENT and gl.STENCIL_INDEX one by one");
   const std::size_t numbers = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                              components_of(call, format);
+                              gl::components_of(format);
   if (numbers > (std::size_t{1} << 24)) call.refuse("reads at most 16 million numbers at once");
   call.stage.state.check_budget(numbers);
-  const std::size_t each = bytes_of_type(type);
+  const std::size_t each = gl::bytes_of_type(type);
   std::vector<std::byte> pixels(numbers * each);
   GLint alignment = 4;
   call.gl().GetIntegerv.unrecorded(GL_PACK_ALIGNMENT, {&alignment, 1});

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "gl/texel_bytes.h"
+#include "gl/sizes.h"
 #include "lua/array.h"
 #include "lua/bind.h"
 #include "lua/l_gl.h"
@@ -66,29 +66,11 @@ void count_bytes(const Call& call, GLuint texture, GLint level, GLenum internal,
 
 int images_of(GLenum target) { return binding_of(target) == GL_TEXTURE_BINDING_CUBE_MAP ? 6 : 1; }
 
-// OpenGL 4.5, table 8.3.
-std::size_t components_of(GLenum format) {
-  switch (format) {
-    case GL_RG:
-    case GL_RG_INTEGER:
-      return 2;
-    case GL_RGB:
-    case GL_BGR:
-    case GL_RGB_INTEGER:
-      return 3;
-    case GL_RGBA:
-    case GL_BGRA:
-    case GL_RGBA_INTEGER:
-      return 4;
-    default:
-      return 1;  // depth with stencil is packed into one number
-  }
-}
-
 /// The pixels of an image as bytes, or none for nil where it may be empty.
 std::vector<std::byte> pixels(const Call& call, int index, const Extent& extent, GLenum format,
                               GLenum type) {
-  const std::uint64_t needed = extent.texels() * components_of(format) * bytes_of_type(type);
+  const std::uint64_t needed =
+      extent.texels() * gl::components_of(format) * gl::bytes_of_type(type);
   if (needed > gl::Objects::most_bytes) call.refuse("the image is too large");
   auto bytes = read_bytes(call, index, type, needed);
   const bool none = lua_isnoneornil(call.L, index);

@@ -4,26 +4,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base64.h"
 #include "measure/sweep.h"
 
 namespace shadowlab::measure {
-namespace {
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : letters[group >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string script_text(const Json& json) {
   // "</script" and "<!--" would end or change the element; \u003c is the same character in JSON.
@@ -36,7 +20,7 @@ std::string script_text(const Json& json) {
 std::string data_url(const std::filesystem::path& png) {
   std::ifstream in(png, std::ios::binary);
   if (!in) return "";
-  return "data:image/png;base64," + base64({std::istreambuf_iterator<char>(in), {}});
+  return "data:image/png;base64," + base64(std::string(std::istreambuf_iterator<char>(in), {}));
 }
 
 std::string filled(std::string_view page, const std::map<std::string, std::string>& given) {

@@ -1,8 +1,9 @@
-// What a texel of an internal format takes in memory.
+// What texels, pixels and their numbers take in memory.
 #pragma once
 
 #include <GL/glcorearb.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace shadowlab::gl {
@@ -39,6 +40,40 @@ constexpr std::uint64_t texel_bytes(GLenum internal) {
       return 8;
     default:
       return 16;
+  }
+}
+
+/// Numbers of a pixel of `format` (OpenGL 4.5, table 8.3). 1 for depth with stencil, which is
+/// packed into one.
+constexpr std::size_t components_of(GLenum format) {
+  switch (format) {
+    case GL_RG:
+    case GL_RG_INTEGER:
+      return 2;
+    case GL_RGB:
+    case GL_BGR:
+    case GL_RGB_INTEGER:
+      return 3;
+    case GL_RGBA:
+    case GL_BGRA:
+    case GL_RGBA_INTEGER:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+/// Bytes of one number of `type`.
+constexpr std::size_t bytes_of_type(GLenum type) {
+  switch (type) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE:
+      return 1;
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+      return 2;
+    default:
+      return 4;
   }
 }
 
