@@ -1,6 +1,7 @@
 -- Shadow volumes of what the frame needs, and no more: volumes_zfail with casters dropped whose volume
--- reaches nothing that is seen, z-pass without caps where that is right, each volume inside the pixels
--- where it can count, and the dark part of only what a shadow may reach. Not a pixel differs.
+-- reaches nothing that is seen, or nothing but a box's own sides that are turned from the light, which
+-- pass 2 marks without it; z-pass without caps where that is right, each volume inside the pixels where
+-- it can count, and the dark part of only what a shadow may reach. Not a pixel differs.
 -- `shadowlab run planned --explain` says what was kept and dropped, and why.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
@@ -22,15 +23,18 @@ function recipe.setup(r)
   r.phong = shader.load "phong"
   r.volume = shader.load "volume"
   r.flat = shader.load "flat"
+  r.ambient = shader.load "ambient"
   r.quad = mesh.quad()
 end
 
 -- What a frame draws that has no plan, in a plan's form.
 local function everything(r)
   local whole = { 0, 0, r.width, r.height }
-  local all = { casters = r.scene.casters, needs = {}, scissor = whole,
-                seen = r.scene.objects, shadowed = r.scene.objects }
-  for _, caster in ipairs(all.casters) do all.needs[caster] = { zfail = true, scissor = whole } end
+  local objects = r.scene.objects
+  local all = { casters = r.scene.casters, needs = {}, scissor = whole, seen = objects, shadowed = objects }
+  for _, caster in ipairs(all.casters) do
+    all.needs[caster] = { zfail = true, unlit = true, scissor = whole }
+  end
   return all
 end
 
@@ -40,8 +44,12 @@ function recipe.draw(r)
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
   local plan = r.params.plan and shadow.plan(scene, camera, light) or everything(r)
-  local batches = batches_of(plan.casters, light)
-  local volumes = {}
+  local reaching, unlit = {}, {}   -- casters that shadow others; those that shadow themselves alone
+  for _, caster in ipairs(plan.casters) do
+    table.insert(plan.needs[caster].scissor and reaching or unlit, caster)
+  end
+  local batches = batches_of(reaching, light)
+  local volumes, fronts = {}, nil
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
@@ -49,17 +57,20 @@ function recipe.draw(r)
 
   pass("1. what is seen in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    scene_depth.draw(plan.seen, r.phong, seen)
+    fronts = scene_depth.draw(plan.seen, r.flat, seen)
   end)
 
   gl.DepthMask(false)
   pass("2. sides turned from the light are in their own shadow", function()
     for _, batch in ipairs(batches) do
       for _, drawn in ipairs(batch) do
-        local zfail = plan.needs[drawn.caster].zfail
-        drawn.volume = shadow.volume(drawn.caster, nil, light, { caps = zfail, part = drawn.part })
-        table.insert(volumes, drawn.volume)
+        local needs = plan.needs[drawn.caster]
+        drawn.volume = shadow.volume(drawn.caster, nil, light, { caps = needs.zfail, part = drawn.part })
+        if needs.unlit then table.insert(volumes, drawn.volume) end
       end
+    end
+    for _, caster in ipairs(unlit) do
+      table.insert(volumes, shadow.volume(caster, nil, light, { caps = false }))
     end
     own_shadow(volumes, r.volume, seen)
   end)
@@ -109,18 +120,15 @@ function recipe.draw(r)
     gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)
     gl.Enable(gl.SCISSOR_TEST)
     gl.Scissor(table.unpack(plan.scissor))
-    for _, object in ipairs(plan.shadowed) do
-      object:draw(r.phong, { view = view, projection = projection, light = light, lit = 0,
-                             ambient = r.params.darkness })
-    end
+    scene_depth.draw_again(plan.shadowed, fronts, r.ambient, {
+      view = view, projection = projection, ambient = r.params.darkness })
     gl.Disable(gl.SCISSOR_TEST)
   end)
 
   pass("5. the lit part of what is seen", function()
     gl.StencilFunc(gl.EQUAL, 0, 0xFF)
-    for _, object in ipairs(plan.seen) do
-      object:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
-    end
+    scene_depth.draw_again(plan.seen, fronts, r.phong, {
+      view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
   end)
 end
 

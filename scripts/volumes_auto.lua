@@ -26,7 +26,7 @@ function recipe.draw(r)
   local projection = shadow.infinite_perspective(camera.fovy, r.width / r.height, camera.near)
   local seen = { view = view, projection = projection, light = light }
   local batches = batches_of(scene.casters, light)
-  local volumes = {}
+  local objects, volumes, fronts = scene.objects, {}, nil
 
   gl.ClearColor(0.85, 0.88, 0.92, 1)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
@@ -34,7 +34,7 @@ function recipe.draw(r)
 
   pass("1. the scene in the depth buffer", function()
     gl.ColorMask(false, false, false, false)
-    scene_depth.draw(scene.objects, r.phong, seen)
+    fronts = scene_depth.draw(objects, r.phong, seen)
   end)
 
   gl.DepthMask(false)
@@ -89,12 +89,14 @@ function recipe.draw(r)
   -- NOTEQUAL 0: the slide's EQUAL 1 leaves what two casters shadow without either colour.
   pass("4. the dark part of the scene", function()
     gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)
-    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 0, ambient = r.params.darkness })
+    scene_depth.draw_again(objects, fronts, r.phong, {
+      view = view, projection = projection, light = light, lit = 0, ambient = r.params.darkness })
   end)
 
   pass("5. the lit part of the scene", function()
     gl.StencilFunc(gl.EQUAL, 0, 0xFF)
-    scene:draw(r.phong, { view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
+    scene_depth.draw_again(objects, fronts, r.phong, {
+      view = view, projection = projection, light = light, lit = 1, ambient = 0.25 })
   end)
 end
 

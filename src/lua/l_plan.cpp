@@ -19,24 +19,46 @@ void push_rectangle(lua_State* L, const shadow::PixelRectangle& rectangle) {
   }
 }
 
-// Sets field `name` of the table on top to a list of objects.
-template <class Range, class IndexOf>
-void set_objects(lua_State* L, const char* name, const SceneBox& scene, const Range& range,
-                 IndexOf index_of) {
-  lua_createtable(L, static_cast<int>(range.size()), 0);
-  lua_Integer next = 0;
-  for (const auto& item : range) {
-    push_box<ObjectBox>(L, {scene, index_of(item)});
-    lua_rawseti(L, -2, ++next);
+// A scene's objects, each the same value wherever a plan names it; made when first asked for.
+class Objects {
+ public:
+  Objects(lua_State* L, const SceneBox& scene) : L_(L), scene_(scene) {
+    lua_createtable(L, static_cast<int>(scene->objects.size()), 0);
+    made_ = lua_gettop(L);
   }
-  lua_setfield(L, -2, name);
-}
+  void push(std::size_t index) const {
+    const auto key = static_cast<lua_Integer>(index) + 1;
+    if (lua_rawgeti(L_, made_, key) != LUA_TNIL) return;
+    lua_pop(L_, 1);
+    push_box<ObjectBox>(L_, {scene_, index});
+    lua_pushvalue(L_, -1);
+    lua_rawseti(L_, made_, key);
+  }
+  // Sets field `name` of the table on top to a list of objects.
+  template <class Range, class IndexOf>
+  void set(const char* name, const Range& range, IndexOf index_of) const {
+    lua_createtable(L_, static_cast<int>(range.size()), 0);
+    lua_Integer next = 0;
+    for (const auto& item : range) {
+      push(index_of(item));
+      lua_rawseti(L_, -2, ++next);
+    }
+    lua_setfield(L_, -2, name);
+  }
 
-// The caster's object is on top.
+ private:
+  lua_State* L_;
+  const SceneBox& scene_;
+  int made_;
+};
+
 void push_need(lua_State* L, const shadow::Plan::Kept& kept) {
-  lua_createtable(L, 0, 2);
+  lua_createtable(L, 0, 3);
   lua_pushboolean(L, !kept.apart);
   lua_setfield(L, -2, "zfail");
+  lua_pushboolean(L, kept.unlit);
+  lua_setfield(L, -2, "unlit");
+  if (kept.scissor.area() == 0) return;
   push_rectangle(L, kept.scissor);
   lua_setfield(L, -2, "scissor");
 }
@@ -93,16 +115,19 @@ int plan(lua_State* L) {
   }
   Stage& stage = Stage::of(L);
   stage.state.check_budget(scene->objects.size() * scene->objects.size());
-  const shadow::Plan plan = shadow::plan(*scene, camera, light.position, stage.picture_size());
+  const shadow::Plan plan =
+      shadow::plan(*scene, camera, light.position, stage.picture_size(),
+                   stage.explaining ? shadow::Reasons::told : shadow::Reasons::none);
   if (stage.explaining) explain_plan(stage, *scene, light.position, plan);
   const std::vector<shadow::MapUse> maps = read_maps(L, 4);
 
   const auto itself = [](std::size_t index) { return index; };
+  const Objects objects(L, scene);
   lua_createtable(L, 0, 7);
-  set_objects(L, "seen", scene, plan.seen, itself);
-  set_objects(L, "shadowed", scene, plan.shadowed, itself);
-  set_objects(L, "dropped", scene, plan.dropped, [](const auto& d) { return d.object; });
-  set_objects(L, "casters", scene, plan.casters, [](const auto& kept) { return kept.object; });
+  objects.set("seen", plan.seen, itself);
+  objects.set("shadowed", plan.shadowed, itself);
+  objects.set("dropped", plan.dropped, [](const auto& d) { return d.object; });
+  objects.set("casters", plan.casters, [](const auto& kept) { return kept.object; });
   push_rectangle(L, plan.shadows);
   lua_setfield(L, -2, "scissor");
   lua_createtable(L, static_cast<int>(maps.size()), 0);
@@ -110,21 +135,18 @@ int plan(lua_State* L) {
     const auto needs =
         shadow::map_needs(*scene, camera, light.position, stage.picture_size(), maps[i]);
     lua_createtable(L, 0, 2);
-    set_objects(L, "casters", scene, needs.casters, itself);
+    objects.set("casters", needs.casters, itself);
     lua_pushboolean(L, needs.read());
     lua_setfield(L, -2, "read");
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   lua_setfield(L, -2, "maps");
-  // needs[caster]: by the very objects that are in casters.
   lua_createtable(L, 0, static_cast<int>(plan.casters.size()));
-  lua_getfield(L, -2, "casters");
-  for (std::size_t i = 0; i < plan.casters.size(); ++i) {
-    lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1);
-    push_need(L, plan.casters[i]);
-    lua_rawset(L, -4);
+  for (const shadow::Plan::Kept& kept : plan.casters) {
+    objects.push(kept.object);
+    push_need(L, kept);
+    lua_rawset(L, -3);
   }
-  lua_pop(L, 1);
   lua_setfield(L, -2, "needs");
   return 1;
 }
@@ -134,11 +156,14 @@ constexpr Entry functions[] = {
      "shadow.plan(scene, camera, light, {maps = {{view = , projection = , near = , far = }, …}, "
      "size "
      "= , filter = 1}) -> {casters = {object, …}, needs = {[caster] = {zfail = "
-     "boolean, scissor = {x, y, width, height}}}, scissor = , seen = {object, …}, shadowed = "
+     "boolean, unlit = boolean, scissor = {x, y, width, height} or nil}}, scissor = , seen = "
+     "{object, …}, shadowed = "
      "{object, …}, dropped = {object, …}, maps = {{casters = {object, …}, read = boolean}, …}}",
      "What a frame of shadow volumes needs, for the same picture pixel for pixel: casters whose "
-     "volume can reach what the camera sees, and of each whether it needs z-fail and its caps, and "
-     "outside of which pixels it counts zero. seen: the objects to draw; shadowed: those of them "
+     "volume can reach what the camera sees, and of each whether it needs z-fail and its caps, "
+     "outside of which pixels it counts zero (nil: everywhere, and no volume is needed), and "
+     "whether it may be seen from a side turned from the light. seen: the objects to draw; "
+     "shadowed: those of them "
      "that a shadow may reach; scissor: where. And of maps of size × size texels, as "
      "shadow.cascades "
      "or shadow.cube_faces give them, the casters that a lookup filter texels wide at what is seen "

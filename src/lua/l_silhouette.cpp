@@ -7,6 +7,7 @@
 #include "lua/boxes.h"
 #include "lua/planned.h"
 #include "lua/volume_pool.h"
+#include "shadow/back.h"
 #include "shadow/silhouette.h"
 #include "shadow/volume.h"
 #include "shadow/zfail.h"
@@ -81,6 +82,18 @@ int needs_zfail(lua_State* L) {
                                                      scene::bounds(*mesh), model);
   if (stage.explaining) stage.explain(why_zfail(caster_name(L, 3), apart));
   lua_pushboolean(L, !apart);
+  return 1;
+}
+
+int hides_its_back(lua_State* L) {
+  const ObjectBox& object = read_box<ObjectBox>(L, 1, "argument 1 of shadow.hides_its_back");
+  const auto view = read<glm::dmat4>(L, 2, "argument 2 of shadow.hides_its_back (the view)");
+  const auto projection =
+      read<glm::dmat4>(L, 3, "argument 3 of shadow.hides_its_back (the projection)");
+  const scene::Mesh& mesh = *object.object().mesh;
+  lua_pushboolean(L, shadow::is_solid_box(mesh) &&
+                         shadow::hides_its_back(scene::bounds(mesh),
+                                                projection * view * object.object().model));
   return 1;
 }
 
@@ -162,6 +175,10 @@ constexpr Entry functions[] = {
      "shadow.needs_zfail(camera, light, object) or (camera, light, mesh, model) -> boolean",
      "Whether z-pass would be wrong for this caster: it may shadow part of the near plane.",
      guarded<needs_zfail>},
+    {"hides_its_back", "shadow.hides_its_back(object, view, projection) -> boolean",
+     "Whether the object's front hides, at every pixel, its sides that are turned from the camera: "
+     "it is a box, closed, and the near plane does not cut it. Those sides may then be culled.",
+     guarded<hides_its_back>},
     {"parts", "shadow.parts(mesh, model, light) -> { layers, … }",
      "The parts in which to draw the caster's volume, for each an upper bound, at most 127, of how "
      "often it holds one point: as far as 7 bits of the stencil count. One for most casters; "

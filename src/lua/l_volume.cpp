@@ -7,6 +7,7 @@
 #include "lua/boxes.h"
 #include "lua/planned.h"
 #include "lua/volume_pool.h"
+#include "shadow/back.h"
 #include "shadow/volume_lecture.h"
 
 namespace shadowlab::lua {
@@ -89,8 +90,10 @@ void build_by_lecture(gl::Graphics& graphics, Volume& volume, const Options& opt
 }
 
 // The triangles of which the camera sees the side that is turned from the light, as they are in the
-// mesh: so they have the very depths that the scene has drawn. Both facings are exact.
-std::span<const std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& view) {
+// mesh: so they have the very depths that the scene has drawn. Both facings are exact. Of a box
+// that hides its back the back is left out.
+std::span<const std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat4& view,
+                                           const glm::dmat4& projection) {
   VolumeSource::Unlit& kept = volume.source->unlit;
   const shadow::FacingPlanes& faces = volume.source->builder.facing();
   const glm::dvec4 eye = shadow::light_in_model_space(volume.model, glm::inverse(view)[3]);
@@ -100,11 +103,15 @@ std::span<const std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat
   kept.toward_eye.resize(last - first);
   faces.signs(volume.light, first, kept.toward_light);
   faces.signs(eye, first, kept.toward_eye);
+  const bool front_alone =
+      volume.source->solid_box &&
+      shadow::hides_its_back(volume.source->bounds, projection * view * volume.model);
   kept.indices.clear();
   kept.indices.reserve(3 * (last - first));
   for (std::size_t i = first; i < last; ++i) {
     const auto& [a, b, c] = faces.triangles()[i];
-    if (kept.toward_light[i - first] * kept.toward_eye[i - first] < 0)
+    const int toward_eye = kept.toward_eye[i - first];
+    if (kept.toward_light[i - first] * toward_eye < 0 && (toward_eye > 0 || !front_alone))
       kept.indices.insert(kept.indices.end(), {2 * a, 2 * b, 2 * c});
   }
   return kept.indices;
@@ -196,12 +203,14 @@ int draw_unlit(lua_State* L) {
     volume->unlit_buffers = std::make_unique<gl::VolumeBuffers>(graphics.gl, graphics.calls(),
                                                                 volume->source->vertices);
   }
-  glm::dmat4 view(1);
+  glm::dmat4 view(1), projection(1);
   if (lua_type(L, 3) == LUA_TTABLE) {
     if (lua_getfield(L, 3, "view") != LUA_TNIL) view = read<glm::dmat4>(L, -1, "view");
-    lua_pop(L, 1);
+    if (lua_getfield(L, 3, "projection") != LUA_TNIL)
+      projection = read<glm::dmat4>(L, -1, "projection");
+    lua_pop(L, 2);
   }
-  const auto indices = unlit_sides(*volume, view);
+  const auto indices = unlit_sides(*volume, view, projection);
   volume->unlit_buffers->upload(indices);
   draw_with({L, 2, 3}, volume->model, {}, indices.size(), {}, "sides turned from the light",
             [&] { volume->unlit_buffers->draw(0, indices.size()); });

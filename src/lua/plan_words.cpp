@@ -94,6 +94,8 @@ void explain_casters(Stage& stage, std::span<const Held> lights) {
                   "since neither they nor their shadows are in the camera's view");
   explain_dropped(stage, lights, shadow::Plan::Why::meets_nothing,
                   "since in the view they and their shadows are hidden, or meet nothing");
+  explain_dropped(stage, lights, shadow::Plan::Why::all_lit,
+                  "since they are seen from lit sides alone and shadow nothing else that is seen");
 }
 
 // "256 × 256 texels"
@@ -144,11 +146,16 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
                   const shadow::Plan& plan) {
   const Held held{scene, light, plan};
   explain_casters(stage, {&held, 1});
-  std::vector<std::size_t> zpass, zfail;
-  Savings caps;
+  std::vector<std::size_t> zpass, zfail, without;
+  Savings caps, volumes;
   std::int64_t pixels = 0;
   for (const auto& kept : plan.casters) {
     pixels += kept.scissor.area();
+    if (kept.scissor.area() == 0) {
+      without.push_back(kept.object);
+      volumes.add(volume_of(stage, scene.objects[kept.object], light).all.size());
+      continue;
+    }
     (kept.apart ? zpass : zfail).push_back(kept.object);
     if (!kept.apart) continue;
     const auto volume = volume_of(stage, scene.objects[kept.object], light);
@@ -166,9 +173,16 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
         "may be in their shadow.",
         counted(zfail.size(), "caster", "casters"), names_of(scene, zfail)));
   }
+  if (!without.empty()) {
+    stage.explain(fmt::format(
+        "No volume: {} ({}), since they shadow nothing that is seen but their own sides turned "
+        "from the light, which are known without. Saved: {}.",
+        counted(without.size(), "caster", "casters"), names_of(scene, without),
+        of_so_many(volumes)));
+  }
   const glm::ivec2 size = stage.picture_size();
   const std::int64_t picture = std::int64_t{size.x} * size.y;
-  const auto kept = static_cast<std::int64_t>(plan.casters.size());
+  const auto kept = static_cast<std::int64_t>(zpass.size() + zfail.size());
   stage.explain(fmt::format(
       "Scissors leave the kept volumes {} pixels of {} ({} times {} × {}): outside of them they "
       "meet nothing that is seen. Saved: {} pixels at most.",

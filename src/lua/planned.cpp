@@ -12,6 +12,19 @@ const glm::dmat4* matrix(lua_State* L, int table, const char* name) {
   return found;
 }
 
+// One whose lit sides alone are seen shadows nothing, but the recipe may count it there wrongly,
+// and its picture is to stay what it is: so it is kept.
+shadow::Plan with_what_is_lit(shadow::Plan plan) {
+  const auto all_lit = [](const auto& dropped) {
+    return dropped.why == shadow::Plan::Why::all_lit;
+  };
+  for (const auto& dropped : plan.dropped) {
+    if (all_lit(dropped)) plan.casters.push_back({dropped.object, {}, {}, false});
+  }
+  std::erase_if(plan.dropped, all_lit);
+  return plan;
+}
+
 }  // namespace
 
 void Planned::begin_frame() {
@@ -39,9 +52,9 @@ bool Planned::drops(const ObjectBox& caster, const scene::Light& light, glm::ive
   auto found = std::find_if(volumes_.rbegin(), volumes_.rend(), same);
   if (found == volumes_.rend()) {
     const scene::Scene& scene = *caster.scene;
-    volumes_.push_back(
-        {caster.scene, light.position,
-         shadow::plan(scene, scene.camera, light.position, sight_of(caster.scene, picture))});
+    volumes_.push_back({caster.scene, light.position,
+                        with_what_is_lit(shadow::plan(scene, scene.camera, light.position,
+                                                      sight_of(caster.scene, picture)))});
     found = volumes_.rbegin();
   }
   return std::ranges::any_of(found->plan.dropped, [&](const shadow::Plan::Dropped& dropped) {

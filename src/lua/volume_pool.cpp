@@ -1,9 +1,12 @@
 #include "lua/volume_pool.h"
 
+#include "shadow/back.h"
+
 namespace shadowlab::lua {
 
 VolumeSource::VolumeSource(gl::Graphics& graphics, const scene::Mesh& mesh)
     : bounds(scene::bounds(mesh)),
+      solid_box(shadow::is_solid_box(mesh)),
       adjacency(scene::adjacency(mesh)),
       next(scene::next(adjacency)),
       facing(adjacency.positions, adjacency.triangles),

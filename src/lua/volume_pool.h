@@ -26,6 +26,7 @@ struct VolumeSource {
   VolumeSource(gl::Graphics& graphics, const scene::Mesh& mesh);
 
   scene::Bounds bounds;
+  bool solid_box;  ///< shadow::is_solid_box
   scene::Adjacency adjacency;
   std::vector<std::array<std::int32_t, 3>> next;
   shadow::FacingPlanes facing;

@@ -40,40 +40,6 @@ Hull hull_of(std::array<glm::dvec2, 8> points) {
 
 }  // namespace
 
-bool fills_its_box(const scene::Mesh& mesh) {
-  if (mesh.triangle_count() != 12) return false;
-  const scene::Bounds box = scene::bounds(mesh);
-  // Of each face, which of its corners its triangles leave out.
-  std::array<unsigned, 6> left_out{};
-  for (std::size_t t = 0; t < 12; ++t) {
-    std::array<unsigned, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3 p(mesh.positions[mesh.indices[3 * t + k]]);
-      for (glm::length_t axis = 0; axis < 3; ++axis) {
-        if (p[axis] == box.high[axis])
-          corners[k] |= 1u << axis;
-        else if (p[axis] != box.low[axis])
-          return false;
-      }
-    }
-    const unsigned same = ~((corners[0] ^ corners[1]) | (corners[0] ^ corners[2])) & 7u;
-    if (same != 1 && same != 2 && same != 4) return false;  // across the box, or a line
-    // Corners of a face: the sum of all four, by their two bits, is even; so the one left out is
-    // the three's.
-    const unsigned missing = corners[0] ^ corners[1] ^ corners[2];
-    const unsigned face = (same >> 1) * 2 + ((corners[0] & same) ? 1u : 0u);
-    left_out[face] |= 1u << missing;
-  }
-  for (std::size_t face = 0; face < 6; ++face) {
-    const unsigned across = 7u & ~(face < 2 ? 1u : face < 4 ? 2u : 4u);
-    bool whole = false;
-    for (unsigned corner = 0; corner < 8; ++corner)
-      whole = whole || (left_out[face] >> corner & left_out[face] >> (corner ^ across) & 1u);
-    if (!whole) return false;
-  }
-  return true;
-}
-
 Occlusion::Occlusion(glm::ivec2 picture)
     : picture_(picture),
       cell_((std::max(picture.x, picture.y) + most_cells - 1) / most_cells),

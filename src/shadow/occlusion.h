@@ -6,12 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/mesh.h"
-
 namespace shadowlab::shadow {
-
-/// Whether the mesh is its own box, closed: twelve triangles, two on each face, of its corners.
-bool fills_its_box(const scene::Mesh& mesh);
 
 /// Where something is seen, and from what depth on.
 struct Extent {

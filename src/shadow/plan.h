@@ -4,7 +4,9 @@
 //
 //  - What boxes hide, those meshes that are boxes, is not seen.
 //  - A caster whose shadow meets no box of the scene that the camera sees is dropped. (A caster
-//    that is seen itself meets its own.)
+//    that is seen itself meets its own. But a box that hides its back shadows nothing of itself
+//    than its own sides that are turned from the light, and which those are is known without a
+//    volume: so it needs one for others alone, and none of this where all its seen sides are lit.)
 //  - Of the others, z-fail and its caps only where z-pass would be wrong (shadow/zfail.h).
 //  - Each volume counts only where its shadow meets such a box: inside the pixels that the scissor
 //    leaves.
@@ -39,12 +41,17 @@ struct Plan {
   /// Objects by their index in the scene, in its order.
   struct Kept {
     std::size_t object;
-    std::optional<Parting> apart;  ///< from the near pyramid: z-pass is right; else z-fail
-    PixelRectangle scissor;        ///< outside of it the volume counts zero
+    /// From the near pyramid: z-pass is right; else z-fail, if there is a volume.
+    std::optional<Parting> apart;
+    /// Outside of it the volume counts zero, its own unlit sides aside; without pixels where the
+    /// volume is needed nowhere.
+    PixelRectangle scissor;
+    bool unlit;  ///< it may be seen from a side that is turned from the light
   };
   enum class Why {
     outside_view,   ///< neither the caster nor its shadow is in the camera's view
     meets_nothing,  ///< they enter the view, but meet no box that is seen there
+    all_lit,        ///< only sides of its own that the light reaches are met
   };
   struct Dropped {
     std::size_t object;
@@ -54,16 +61,21 @@ struct Plan {
   std::vector<Kept> casters;
   std::vector<Dropped> dropped;
   std::vector<std::size_t> seen;      ///< objects whose box the camera may see
-  std::vector<std::size_t> shadowed;  ///< those of them that a kept caster's shadow meets
-  PixelRectangle shadows;             ///< holds every scissor
+  std::vector<std::size_t> shadowed;  ///< those of them that a shadow may reach, their own too
+  PixelRectangle shadows;             ///< where
 };
+
+/// Without reasons, what is dropped has all_lit or meets_nothing, and covers nothing: it is
+/// quicker.
+enum class Reasons { none, told };
 
 /// `light` in world space, w = 0 or w > 0, a point or a direction. `picture` in pixels. Throws
 /// InputError as Camera::view, Camera::projection, normalized_light and for a caster whose model
 /// matrix is singular.
 Plan plan(const scene::Scene& scene, const scene::Camera& camera, glm::dvec4 light,
-          glm::ivec2 picture);
+          glm::ivec2 picture, Reasons reasons = Reasons::told);
 /// The same of what this camera sees of this scene.
-Plan plan(const scene::Scene& scene, const scene::Camera& camera, glm::dvec4 light, Sight sight);
+Plan plan(const scene::Scene& scene, const scene::Camera& camera, glm::dvec4 light, Sight sight,
+          Reasons reasons = Reasons::told);
 
 }  // namespace shadowlab::shadow

@@ -24,6 +24,15 @@ Crate axis_aligned(const scene::Bounds& bounds, const glm::dmat4& model, double 
   return {box.center(), {{{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}}};
 }
 
+// Where of the crate it is deepest behind the plane, and farthest before it.
+glm::dvec2 span_of(const Crate& crate, const glm::dvec4& plane) {
+  const glm::dvec3 normal(plane);
+  const double middle = glm::dot(normal, crate.center) + plane.w;
+  double around = 0;
+  for (const glm::dvec3& half : crate.half) around += std::abs(glm::dot(normal, half));
+  return {middle - around, middle + around};
+}
+
 }  // namespace
 
 Crate crate_around(const scene::Bounds& bounds, const glm::dmat4& model, double room) {
@@ -104,12 +113,13 @@ void ShadowReach::propose(glm::dvec3 normal, std::span<const glm::dvec3, 8> corn
 }
 
 bool ShadowReach::parts_from(const Crate& crate) const {
-  return std::ranges::any_of(planes(), [&](const glm::dvec4& plane) {
-    const glm::dvec3 normal(plane);
-    double most = glm::dot(normal, crate.center) + plane.w;
-    for (const glm::dvec3& half : crate.half) most += std::abs(glm::dot(normal, half));
-    return most < 0;
-  });
+  return std::ranges::any_of(planes(),
+                             [&](const glm::dvec4& plane) { return span_of(crate, plane).y < 0; });
+}
+
+bool ShadowReach::holds(const Crate& crate) const {
+  return std::ranges::all_of(planes(),
+                             [&](const glm::dvec4& plane) { return span_of(crate, plane).x >= 0; });
 }
 
 }  // namespace shadowlab::shadow

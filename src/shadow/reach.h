@@ -45,6 +45,8 @@ class ShadowReach {
 
   /// Whether one of the planes has all of `crate` behind it: then they do not meet.
   bool parts_from(const Crate& crate) const;
+  /// Whether all of `crate` is inside.
+  bool holds(const Crate& crate) const;
   /// What of a convex polygon is inside: valid until `scratch` is used again.
   std::span<const glm::dvec3> inside(std::span<const glm::dvec3> polygon,
                                      ClipScratch& scratch) const {

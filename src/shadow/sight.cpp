@@ -1,5 +1,7 @@
 #include "shadow/sight.h"
 
+#include "shadow/back.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -74,53 +76,106 @@ double area_of(const Extent& extent, glm::dvec2 size) {
   return sides.x * sides.y;
 }
 
-// A whole box hides what is behind it.
-void hide_behind(const Body& body, const glm::dmat4& model, const Eye& eye, Occlusion& occlusion) {
-  std::array<glm::dvec3, 8> corners;
-  std::array<glm::dvec2, 8> pixels;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const scene::Bounds& box = body.bounds;
-    const glm::dvec3 corner((i & 1) ? box.high.x : box.low.x, (i & 2) ? box.high.y : box.low.y,
-                            (i & 4) ? box.high.z : box.low.z);
-    corners[i] = glm::dvec3(model * glm::dvec4(corner, 1));
-    pixels[i] = eye.pixel(corners[i]);
-  }
-  double farthest = 0;  // of the faces that are turned to the eye
+// A side of a body that fills its box: four corners in order around it, and the way out, not of
+// unit length.
+struct Side {
+  std::array<std::size_t, 4> corners;
+  glm::dvec3 outward;
+};
+std::array<Side, 6> sides_of(const Body& body) {
+  std::array<Side, 6> sides;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t k = std::size_t{1} << axis, u = std::size_t{1} << (axis + 1) % 3,
                       v = std::size_t{1} << (axis + 2) % 3;
     for (const std::size_t side : {std::size_t{0}, k}) {
-      glm::dvec3 normal = glm::cross(corners[u] - corners[0], corners[v] - corners[0]);
-      const glm::dvec3 outward = corners[side] - corners[side ^ k];
-      if (glm::dot(normal, outward) < 0) normal = -normal;
-      if (glm::dot(normal, eye.position - corners[side]) <= 0) continue;
-      for (const std::size_t corner : {side, side | u, side | v, side | u | v})
-        farthest = std::max(farthest, eye.depth(corners[corner]));
+      const auto at = [&](std::size_t corner) { return body.corners[corner]; };
+      glm::dvec3 normal = glm::cross(at(u) - at(0), at(v) - at(0));
+      if (glm::dot(normal, at(side) - at(side ^ k)) < 0) normal = -normal;
+      sides[2 * axis + (side ? 1 : 0)] = {{side, side | u, side | u | v, side | v}, normal};
     }
+  }
+  return sides;
+}
+
+// A whole box hides what is behind it.
+void hide_behind(const Body& body, const Eye& eye, Occlusion& occlusion) {
+  std::array<glm::dvec2, 8> pixels;
+  for (std::size_t i = 0; i < 8; ++i) pixels[i] = eye.pixel(body.corners[i]);
+  double farthest = 0;  // of the faces that are turned to the eye
+  for (const Side& side : sides_of(body)) {
+    if (glm::dot(side.outward, eye.position - body.corners[side.corners[0]]) <= 0) continue;
+    for (const std::size_t corner : side.corners)
+      farthest = std::max(farthest, eye.depth(body.corners[corner]));
   }
   if (farthest > 0) occlusion.add(pixels, farthest);
 }
 
-Occlusion occlusion_of(const scene::Scene& scene, const std::vector<Body>& bodies, const Eye& eye) {
+// How wide a side is where it is narrowest, pixels; negative where it is turned from the eye.
+double width_seen(const Body& body, const Side& side, const Eye& eye) {
+  std::array<glm::dvec2, 4> at;
+  double longest = 0, twice_area = 0;
+  for (std::size_t i = 0; i < 4; ++i) at[i] = eye.pixel(body.corners[side.corners[i]]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec2 a = at[i], b = at[(i + 1) % 4];
+    twice_area += a.x * b.y - a.y * b.x;
+    longest = std::max({longest, glm::length(b - a), glm::length(at[(i + 2) % 4] - a)});
+  }
+  const double width = std::abs(twice_area) / 2 / std::max(longest, 1e-300);
+  const bool toward = glm::dot(side.outward, eye.position - body.corners[side.corners[0]]) > 0;
+  return toward ? width : -width;
+}
+
+// The sine of how high the light stands over a side, where it stands lowest; negative below it.
+double height_of_light(const Body& body, const Side& side, glm::dvec4 light) {
+  double lowest = 1;
+  bool above = true;
+  for (const std::size_t corner : side.corners) {
+    const glm::dvec3 way = glm::dvec3(light) - light.w * body.corners[corner];
+    const double height = glm::dot(glm::normalize(side.outward), glm::normalize(way));
+    lowest = std::min(lowest, std::abs(height));
+    above = height > 0;
+  }
+  return above ? lowest : -lowest;
+}
+
+// What is less is not told apart from edge on: corners are moved by 1/512 of a pixel, and lights in
+// model space are floats.
+constexpr double least_width = 1.0 / 16, least_height = 1e-4;
+
+Occlusion occlusion_of(const std::vector<Body>& bodies, const Eye& eye) {
   Occlusion occlusion{glm::ivec2(eye.size)};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].whole_box && !bodies[i].seen.empty())
-      hide_behind(bodies[i], scene.objects[i].model, eye, occlusion);
+    if (bodies[i].whole_box && !bodies[i].seen.empty()) hide_behind(bodies[i], eye, occlusion);
   }
   return occlusion;
 }
 
 // Which bodies are boxes before the near plane.
 void find_whole_boxes(const scene::Scene& scene, const Eye& eye, std::vector<Body>& bodies) {
-  std::map<const scene::Mesh*, bool> filled;
+  struct Shape {
+    bool filled = false, solid = false;
+  };
+  std::map<const scene::Mesh*, Shape> shapes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].bounds.empty()) continue;
+    Body& body = bodies[i];
+    if (body.bounds.empty()) continue;
     const scene::Mesh* mesh = scene.objects[i].mesh.get();
-    const auto [known, is_new] = filled.try_emplace(mesh);
-    if (is_new) known->second = fills_its_box(*mesh);
-    bodies[i].whole_box = known->second;
-    for (std::size_t c = 0; c < 8 && bodies[i].whole_box; ++c)
-      bodies[i].whole_box = eye.depth(bodies[i].crate.corner(c)) >= eye.near * (1 + 1e-6);
+    const auto [known, is_new] = shapes.try_emplace(mesh);
+    if (is_new && fills_its_box(*mesh)) known->second = {true, is_turned_out(*mesh)};
+    if (!known->second.filled) continue;
+    double nearest = 1e300;
+    for (std::size_t c = 0; c < 8; ++c)
+      nearest = std::min(nearest, eye.depth(body.crate.corner(c)));
+    body.whole_box = nearest >= eye.near * (1 + 1e-6);
+    // Under any projection that has this near plane.
+    body.hides_back = known->second.solid && nearest >= eye.near * (1 + 1e-4) &&
+                      glm::determinant(glm::dmat3(scene.objects[i].model)) > 0;
+    for (std::size_t c = 0; c < 8; ++c) {
+      const scene::Bounds& box = body.bounds;
+      const glm::dvec3 corner((c & 1) ? box.high.x : box.low.x, (c & 2) ? box.high.y : box.low.y,
+                              (c & 4) ? box.high.z : box.low.z);
+      body.corners[c] = glm::dvec3(scene.objects[i].model * glm::dvec4(corner, 1));
+    }
   }
 }
 
@@ -194,7 +249,7 @@ Sight::Sight(const scene::Scene& scene, const scene::Camera& camera, glm::ivec2 
   for (Body& body : bodies_) {
     if (!body.bounds.empty()) look_at(body, *view_, eye_);
   }
-  occlusion_.emplace(occlusion_of(scene, bodies_, eye_));
+  occlusion_.emplace(occlusion_of(bodies_, eye_));
   sort_seen();
 }
 
@@ -229,24 +284,50 @@ void Sight::narrow(const std::optional<DepthRange>& part,
   sort_seen();
 }
 
-Extent Sight::met_by(const ShadowReach& reach, std::size_t caster) {
-  // Where the caster fills much of the picture, or is around the light, a scissor gains little.
-  const bool whole =
-      reach.planes().empty() || area_of(bodies_[caster].extent, eye_.size) > eye_.area() / 4;
+std::optional<bool> Sight::shows_unlit_side(std::size_t caster, glm::dvec4 light) const {
+  const Body& body = bodies_[caster];
+  if (!body.hides_back) return {};
+  bool shown = false;
+  for (const Side& side : sides_of(body)) {
+    const double width = width_seen(body, side, eye_), height = height_of_light(body, side, light);
+    // (A comparison with what is no number is false: then nothing is said.)
+    if (!(std::abs(width) >= least_width && std::abs(height) >= least_height)) return {};
+    shown = shown || (width > 0 && height < 0);
+  }
+  return shown;
+}
+
+Extent Sight::met_itself(std::size_t caster) {
+  Body& body = bodies_[caster];
+  if (body.seen.empty()) return {};
+  unshadowed_ -= body.shadowed ? 0 : 1;
+  body.shadowed = true;
+  return body.extent;
+}
+
+Extent Sight::met_by(const ShadowReach& reach, std::size_t caster, Itself itself) {
+  // Where the caster or its shadow fills much of the picture, or the light is in it, a scissor
+  // gains little.
+  const auto is_much = [&](const Extent& extent) {
+    return area_of(extent, eye_.size) > eye_.area() / 4;
+  };
+  bool whole = reach.planes().empty() || is_much(bodies_[caster].extent);
   Extent met;
   int clipped = 0;
   for (const std::size_t i : largest_first_) {
     if (unshadowed_ == 0 && met.holds(all_seen_)) break;
+    if (i == caster && itself == Itself::left_out) continue;
     Body& body = bodies_[i];
     if (body.shadowed && met.holds(body.extent)) continue;
     if (reach.parts_from(body.crate)) continue;
-    const Extent here = whole || ++clipped > most_clipped
+    const Extent here = whole || reach.holds(body.crate) || ++clipped > most_clipped
                             ? body.extent
                             : common(reach, bodies_[caster].crate, body, eye_, scratch_);
     if (here.empty() || occlusion_->hides(here)) continue;
     unshadowed_ -= body.shadowed ? 0 : 1;
     body.shadowed = true;
     met.add(here);
+    whole = whole || is_much(met);
   }
   return met;
 }

@@ -48,6 +48,9 @@ struct Body {
   Extent extent;              ///< of what is seen
   bool shadowed = false;      ///< whether met_by found a shadow on it
   bool whole_box = false;     ///< the mesh is its box, and the near plane does not cut it
+  bool hides_back = false;    ///< as shadow/back.h has it
+  /// Of a mesh that is its box, world space: bit k set where axis k is at its high end.
+  std::array<glm::dvec3, 8> corners{};
 };
 
 class Sight {
@@ -64,9 +67,17 @@ class Sight {
   void narrow(const std::optional<DepthRange>& part,
               const std::function<bool(const Crate&)>& wanted);
 
-  /// Where the reach of the shadow of a body meets a box that is seen; marks those boxes as
-  /// shadowed.
-  Extent met_by(const ShadowReach& reach, std::size_t caster);
+  /// Of a box that hides its back, whether it may show a side that is turned from the light, and
+  /// all but surely so; nothing where that cannot be told from here: of a body that is no such box,
+  /// and of one with a side so edge on to the eye or to the light that rounding may turn it round.
+  std::optional<bool> shows_unlit_side(std::size_t caster, glm::dvec4 light) const;
+
+  enum class Itself { met, left_out };
+  /// Where the reach of the shadow of a body meets a box that is seen, its own too where that is
+  /// not left out; marks those boxes as shadowed.
+  Extent met_by(const ShadowReach& reach, std::size_t caster, Itself itself);
+  /// Marks the body's own box as shadowed, and says where it is seen.
+  Extent met_itself(std::size_t caster);
   /// Whether it meets one.
   bool is_met_by(const ShadowReach& reach, const Crate& caster);
   /// What of the view the reach of a body covers, met or not; empty where it does not enter it.

@@ -40,15 +40,5 @@ TEST(Occlusion, joins_occluders_that_overlap) {
   EXPECT_TRUE(occlusion.hides(wide));
 }
 
-TEST(Occlusion, takes_a_box_for_what_it_is_and_nothing_else) {
-  EXPECT_TRUE(fills_its_box(scene::box({1, 2, 3})));
-  EXPECT_FALSE(fills_its_box(scene::sphere()));
-  EXPECT_FALSE(fills_its_box(scene::plane(1, 1)));
-  scene::Mesh open = scene::box();
-  // One triangle twice in place of the other half of its face.
-  for (std::size_t k = 0; k < 3; ++k) open.indices[k] = open.indices[3 + k];
-  EXPECT_FALSE(fills_its_box(open));
-}
-
 }  // namespace
 }  // namespace shadowlab::shadow
