@@ -2615,9 +2615,9 @@ function shadow.infinite_perspective(fovy, aspect, near) end
 ---@return any
 function shadow.light_view(light, scene, values) end
 
----The least bias without acne for a map of size × size texels drawn with this projection and read by a filter so many texels wide (1 unless given): factor and units for gl.PolygonOffset, or normal_offset · sin θ along the receiver's normal, θ being the angle from normal to light, and texel the side of a texel; both in metres, under a perspective for each metre along its axis.
+---The least bias without acne for a map of size × size texels drawn with this projection and read by a filter so many texels wide (1 unless given): factor and units for gl.PolygonOffset, or normal_offset · sin θ along the receiver's normal, θ being the angle from normal to light, and texel the side of a texel; both in metres, under a perspective for each metre along its axis. read: whether anybody reads such a map, which under run --plan is so only where a caster may shadow what is seen; it need not be made otherwise.
 ---
----`shadow.map_bias(projection, size, filter) -> {factor, units, normal_offset, texel}`
+---`shadow.map_bias(projection, size, filter) -> {factor, units, normal_offset, texel, read}`
 ---@return table
 function shadow.map_bias(projection, size, filter) end
 
@@ -2671,6 +2671,12 @@ function shadow.volume(mesh, model, light, values) end
 ---@return boolean
 function shadow.needs_zfail(camera, light, object) end
 
+---Whether the object's front hides, at every pixel, its sides that are turned from the camera: it is a box, closed, and the near plane does not cut it. Those sides may then be culled.
+---
+---`shadow.hides_its_back(object, view, projection) -> boolean`
+---@return boolean
+function shadow.hides_its_back(object, view, projection) end
+
 ---The parts in which to draw the caster's volume, for each an upper bound, at most 127, of how often it holds one point: as far as 7 bits of the stencil count. One for most casters; shadow.volume's option part takes its number.
 ---
 ---`shadow.parts(mesh, model, light) -> { layers, … }`
@@ -2720,9 +2726,9 @@ function shadow.samples_needed(scene, camera, light, error) end
 ---@return number
 function shadow.error_of_halves(difference) end
 
----What a frame of shadow volumes needs, for the same picture pixel for pixel: casters whose volume can reach what the camera sees, and of each whether it needs z-fail and its caps, and outside of which pixels it counts zero. seen: the objects to draw; shadowed: those of them that a shadow may reach; scissor: where. And of maps of size × size texels, as shadow.cascades or shadow.cube_faces give them, the casters that a lookup filter texels wide at what is seen can meet, and whether there are any. The light is a point or a direction.
+---What a frame of shadow volumes needs, for the same picture pixel for pixel: casters whose volume can reach what the camera sees, and of each whether it needs z-fail and its caps, outside of which pixels it counts zero (nil: everywhere, and no volume is needed), and whether it may be seen from a side turned from the light. seen: the objects to draw; shadowed: those of them that a shadow may reach; scissor: where. And of maps of size × size texels, as shadow.cascades or shadow.cube_faces give them, the casters that a lookup filter texels wide at what is seen can meet, and whether there are any. The light is a point or a direction.
 ---
----`shadow.plan(scene, camera, light, {maps = {{view = , projection = , near = , far = }, …}, size = , filter = 1}) -> {casters = {object, …}, needs = {[caster] = {zfail = boolean, scissor = {x, y, width, height}}}, scissor = , seen = {object, …}, shadowed = {object, …}, dropped = {object, …}, maps = {{casters = {object, …}, read = boolean}, …}}`
+---`shadow.plan(scene, camera, light, {maps = {{view = , projection = , near = , far = }, …}, size = , filter = 1}) -> {casters = {object, …}, needs = {[caster] = {zfail = boolean, unlit = boolean, scissor = {x, y, width, height} or nil}}, scissor = , seen = {object, …}, shadowed = {object, …}, dropped = {object, …}, maps = {{casters = {object, …}, read = boolean}, …}}`
 ---@return table
 function shadow.plan(scene, camera, light, values) end
 

@@ -31,26 +31,49 @@ local targets = {
   gl.TEXTURE_CUBE_MAP_POSITIVE_Z, gl.TEXTURE_CUBE_MAP_NEGATIVE_Z,
 }
 
-function recipe.setup(r)
-  r.depth = shader.load "flat"
-  r.mapped = shader.load "shadow_map_cube"
-  local size = r.params.size
-
-  r.shown = {}
-  r.cube = gl.GenTextures(1)
-  gl.BindTexture(gl.TEXTURE_CUBE_MAP, r.cube)
+-- Of six faces that have one size: GL takes no cube without each.
+local function make_cube(size, filter)
+  local cube = gl.GenTextures(1)
+  gl.BindTexture(gl.TEXTURE_CUBE_MAP, cube)
   for _, face in ipairs(targets) do
     gl.TexImage2D(face, 0, gl.DEPTH_COMPONENT24, size, size, 0, gl.DEPTH_COMPONENT, gl.FLOAT, nil)
   end
-  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MIN_FILTER, gl[r.params.filter])
-  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MAG_FILTER, gl[r.params.filter])
+  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MIN_FILTER, gl[filter])
+  gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MAG_FILTER, gl[filter])
   gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE)
   gl.TexParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_COMPARE_FUNC, gl.LEQUAL)
+  return cube
+end
 
+function recipe.setup(r)
+  r.depth = shader.load "flat"
+  r.mapped = shader.load "shadow_map_cube"
+  r.shown = {}
   r.fbo = gl.GenFramebuffers(1)
   gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
   gl.DrawBuffer(gl.NONE)
   gl.ReadBuffer(gl.NONE)
+end
+
+local function clear_face(r, cube, i)
+  gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, targets[i], cube, 0)
+  gl.Clear(gl.DEPTH_BUFFER_BIT)
+end
+
+-- The cube that this frame reads: made when somebody does for the first time; else one of a texel a face,
+-- each as far as can be: all is lit.
+local function cube_of(r, read)
+  if read then
+    r.cube = r.cube or make_cube(r.params.size, r.params.filter)
+    return r.cube
+  end
+  if not r.lit then
+    r.lit = make_cube(1, "NEAREST")
+    gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
+    for i = 1, 6 do clear_face(r, r.lit, i) end
+    gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
+  end
+  return r.lit
 end
 
 function recipe.draw(r)
@@ -60,9 +83,11 @@ function recipe.draw(r)
   local faces = shadow.cube_faces(light, near, far)
   local needed = shadow.faces_needed(light, scene, fit)
 
+  local bias = shadow.map_bias(faces[1].projection, size, r.params.filter == "LINEAR" and 2 or 1)
+  local cube = cube_of(r, bias.read)
+
   gl.Enable(gl.DEPTH_TEST)
-  if not (r.params.keep and still(r.shown, faces[1].projection * faces[1].view, scene.casters)) then
-    local bias = shadow.map_bias(faces[1].projection, size, r.params.filter == "LINEAR" and 2 or 1)
+  if bias.read and not (r.params.keep and still(r.shown, faces[1].projection * faces[1].view, scene.casters)) then
     gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
     gl.Viewport(0, 0, size, size)
     gl.Enable(gl.POLYGON_OFFSET_FILL)
@@ -70,8 +95,7 @@ function recipe.draw(r)
     for i, face in ipairs(faces) do
       local drawn = needed[i] or not r.params.cull
       pass("1. face " .. names[i] .. (drawn and "" or ", cleared: no shadow there is seen"), function()
-        gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, targets[i], r.cube, 0)
-        gl.Clear(gl.DEPTH_BUFFER_BIT)
+        clear_face(r, cube, i)
         if drawn then
           scene.caster:draw(r.depth, { view = face.view, projection = face.projection })
         end
@@ -87,7 +111,7 @@ function recipe.draw(r)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     gl.Enable(gl.TEXTURE_CUBE_MAP_SEAMLESS)   -- a filter at a face's edge reads the next face
-    gl.BindTexture(gl.TEXTURE_CUBE_MAP, r.cube)
+    gl.BindTexture(gl.TEXTURE_CUBE_MAP, cube)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0, near = near, far = far,
       light_matrix = mat4.translate(-light.xyz / light.w) * view:inverse(),

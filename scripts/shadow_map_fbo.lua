@@ -1,6 +1,7 @@
 -- A shadow map in a framebuffer object of its own, for a directional light: no window limits its size,
 -- nothing is copied, and no colour is drawn.
 local draw_lit = require "parts.draw_lit"
+local map_pass = require "parts.map_pass"
 local still = require "parts.still"
 
 local recipe = {
@@ -27,12 +28,8 @@ function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene)
 end
 
-function recipe.setup(r)
-  r.depth = shader.load "flat"
-  r.mapped = shader.load "shadow_map"
-  local size = r.params.size
-
-  r.shown = {}
+-- The map, made when somebody reads it.
+local function make_map(r, size)
   r.fbo = gl.GenFramebuffers(1)
   -- The depth texture
   r.map = gl.GenTextures(1)
@@ -55,6 +52,12 @@ function recipe.setup(r)
   gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
 end
 
+function recipe.setup(r)
+  r.depth = shader.load "flat"
+  r.mapped = shader.load "shadow_map"
+  r.shown = {}
+end
+
 function recipe.draw(r)
   local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
   local light_view, light_projection
@@ -65,9 +68,10 @@ function recipe.draw(r)
     light_view, light_projection = shadow.light_view(light, scene, { fit = r.params.keep and "scene" or "view" })
   end
   local bias = shadow.map_bias(light_projection, size)
+  if bias.read and not r.map then make_map(r, size) end
 
   gl.Enable(gl.DEPTH_TEST)
-  if not (r.params.keep and still(r.shown, light_projection * light_view, scene.casters)) then
+  if bias.read and not (r.params.keep and still(r.shown, light_projection * light_view, scene.casters)) then
     pass("1. depth, from the light", function()
       gl.Viewport(0, 0, size, size)
       gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
@@ -89,7 +93,7 @@ function recipe.draw(r)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     gl.ActiveTexture(gl.TEXTURE1)
-    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    gl.BindTexture(gl.TEXTURE_2D, bias.read and r.map or map_pass.kept(r, false, 1))
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 1,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),

@@ -75,7 +75,6 @@ end
 function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_pcf"
-  r.fbo, r.map = map_pass.make(r.params.size, gl.LEQUAL, r.params.hardware and gl.LINEAR or gl.NEAREST)
 end
 
 function recipe.draw(r)
@@ -85,14 +84,18 @@ function recipe.draw(r)
   -- A disk that turns reaches as far as its circle in every direction.
   local reads = (#taps > 1 and r.params.width or 0) + (r.params.hardware and 2 or 1)
 
-  pass("1. the map", function()
-    map_pass.draw(r, r.fbo, size, scene.caster, r.depth, light_view, light_projection,
-                  shadow.map_bias(light_projection, size, reads))
-  end)
+  local bias = shadow.map_bias(light_projection, size, reads)
+  local map = map_pass.kept(r, bias.read, size, gl.LEQUAL, r.params.hardware and gl.LINEAR or gl.NEAREST)
+
+  if bias.read then
+    pass("1. the map", function()
+      map_pass.draw(r, r.frame, size, scene.caster, r.depth, light_view, light_projection, bias)
+    end)
+  end
 
   pass("2. the scene, with " .. #taps .. " taps", function()
     local view, projection = camera:view(), camera:projection(r.width / r.height)
-    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    gl.BindTexture(gl.TEXTURE_2D, map)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, {

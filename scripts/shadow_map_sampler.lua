@@ -25,21 +25,25 @@ end
 function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_sampler"
-  r.fbo, r.map = map_pass.make(r.params.size)
 end
 
 function recipe.draw(r)
   local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
   local light_view, light_projection = shadow.light_view(light, scene)
 
-  pass("1. the map", function()
-    local bias = r.params.bias == "offset" and shadow.map_bias(light_projection, size) or nil
-    map_pass.draw(r, r.fbo, size, scene.caster, r.depth, light_view, light_projection, bias)
-  end)
+  local bias = shadow.map_bias(light_projection, size)
+  local map = map_pass.kept(r, bias.read, size)
+
+  if bias.read then
+    pass("1. the map", function()
+      map_pass.draw(r, r.frame, size, scene.caster, r.depth, light_view, light_projection,
+                    r.params.bias == "offset" and bias or nil)
+    end)
+  end
 
   pass("2. the scene, by textureProj", function()
     local view, projection = camera:view(), camera:projection(r.width / r.height)
-    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    gl.BindTexture(gl.TEXTURE_2D, map)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_FUNC, gl[r.params.compare])
     gl.ClearColor(0.85, 0.88, 0.92, 1)

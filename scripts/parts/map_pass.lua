@@ -22,6 +22,20 @@ function map_pass.make(size, compare, filter)
   return frame, map
 end
 
+-- The map that a frame reads, r.map in r.frame: made when somebody reads it for the first time (`read` is
+-- what shadow.map_bias says). For a frame in which nobody does it is one texel, as far as can be: all is lit.
+function map_pass.kept(r, read, ...)
+  if read and not r.map then r.frame, r.map = map_pass.make(...) end
+  if not read and not r.lit then
+    local frame
+    frame, r.lit = map_pass.make(1, select(2, ...))
+    gl.BindFramebuffer(gl.FRAMEBUFFER, frame)
+    gl.Clear(gl.DEPTH_BUFFER_BIT)
+    gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
+  end
+  return read and r.map or r.lit
+end
+
 -- Draws `what` (anything with draw) into it. `bias` is what shadow.map_bias gives, or nil for none.
 function map_pass.draw(r, frame, size, what, shader, view, projection, bias)
   gl.BindFramebuffer(gl.FRAMEBUFFER, frame)

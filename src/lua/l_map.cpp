@@ -139,9 +139,12 @@ int map_bias(lua_State* L) {
   const double filter =
       lua_isnoneornil(L, 3) ? 1 : read<double>(L, 3, "argument 3 of shadow.map_bias (the filter)");
   const auto bias = shadow::map_bias(projection, size, filter);
-  if (const auto& planned = Stage::of(L).planned)
-    planned->add_lookup(projection, static_cast<int>(size), filter);
+  Stage& stage = Stage::of(L);
+  const bool read = !stage.planned || stage.planned->add_lookup(projection, static_cast<int>(size),
+                                                                filter, stage.picture_size());
   lua_newtable(L);
+  lua_pushboolean(L, read);
+  lua_setfield(L, -2, "read");
   set_number(L, "factor", bias.factor);
   set_number(L, "units", bias.units);
   set_number(L, "normal_offset", bias.normal_offset);
@@ -271,12 +274,13 @@ constexpr Entry functions[] = {
      "point light is among its casters, so that one frustum cannot hold them.",
      guarded<light_view>},
     {"map_bias",
-     "shadow.map_bias(projection, size, filter) -> {factor, units, normal_offset, texel}",
+     "shadow.map_bias(projection, size, filter) -> {factor, units, normal_offset, texel, read}",
      "The least bias without acne for a map of size × size texels drawn with this projection and "
      "read by a filter so many texels wide (1 unless given): factor and units for "
      "gl.PolygonOffset, or normal_offset · sin θ along the receiver's normal, θ being the angle "
      "from normal to light, and texel the side of a texel; both in metres, under a perspective for "
-     "each metre along its axis.",
+     "each metre along its axis. read: whether anybody reads such a map, which under run --plan is "
+     "so only where a caster may shadow what is seen; it need not be made otherwise.",
      guarded<map_bias>},
     {"cube_faces", "shadow.cube_faces(light, near, far) -> { {view = , projection = }, … }",
      "Six views of 90 degrees from a point light, in the order and with the axes of "

@@ -110,7 +110,7 @@ void explain_map(Stage& stage, const Planned::Map& map, std::size_t number, std:
     return;
   }
   const std::string which = fmt::format("Map {} of {}, {}", number, of, texels_of(map));
-  if (map.skipped) {
+  if (map.skipped && map.asked == 0) {
     std::size_t triangles = 0;
     for (const scene::Object& object : map.scene->objects)
       triangles += object.casts() ? object.mesh->indices.size() / 3 : 0;

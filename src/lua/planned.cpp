@@ -79,8 +79,17 @@ void Planned::add_cube_faces(glm::dvec4 light, std::span<const shadow::LightView
     add_map({cube->scene, light, face.view, face.projection});
 }
 
-void Planned::add_lookup(const glm::dmat4& projection, int size, double filter) {
+bool Planned::add_lookup(const glm::dmat4& projection, int size, double filter,
+                         glm::ivec2 picture) {
   lookups_.push_back({projection, size, filter});
+  bool known = false, read = false;
+  for (Map& map : maps_) {
+    if (map.projection != projection) continue;
+    known = true;
+    map.skipped = !needs_of(map, size, filter, picture).read();
+    read = read || !map.skipped;
+  }
+  return read || !known;
 }
 
 const shadow::MapNeeds& Planned::needs_of(Map& map, int size, double filter, glm::ivec2 picture) {

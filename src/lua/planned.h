@@ -59,8 +59,9 @@ class Planned {
   /// that of what is seen.
   void add_cube(const SceneBox& scene, glm::dvec4 light, bool in_view);
   void add_cube_faces(glm::dvec4 light, std::span<const shadow::LightView> faces);
-  /// How a map of this projection is read: what shadow.map_bias was told.
-  void add_lookup(const glm::dmat4& projection, int size, double filter);
+  /// How a map of this projection is read: what shadow.map_bias was told. Whether anybody reads one
+  /// of them: they are where it is not known what they are for.
+  bool add_lookup(const glm::dmat4& projection, int size, double filter, glm::ivec2 picture);
 
   /// The map of these matrices, into which objects of `scene` are drawn; with what it needs, if it
   /// is known how it is read. Nothing where it is no map.

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/version.h"
+#include "gl/held.h"
 #include "measure/check.h"
 
 namespace shadowlab::measure {
@@ -120,6 +121,51 @@ TEST(RunUnderAPlan, draws_less_where_much_is_hidden) {
                 with = drawn(name, recipe::Options::Casters::planned, set, value);
     EXPECT_EQ(with.picture, without.picture) << name;
     EXPECT_LT(with.work.triangles, without.work.triangles * 19 / 20) << name;
+  }
+}
+
+// The bytes of the textures that a first frame makes GL hold, the picture's aside.
+std::uint64_t held_by(const char* name, recipe::Options::Casters casters, glm::dvec3 eye,
+                      glm::dvec3 target, std::vector<std::uint8_t>& picture) {
+  gl::Graphics graphics(context::create(), size, size);
+  const std::uint64_t before = gl::held(graphics.gl).textures.bytes;
+  recipe::Options options;
+  options.scene = "table";
+  options.casters = casters;
+  recipe::Recipe recipe(graphics, home() / "scripts" / (std::string(name) + ".lua"), options);
+  recipe.set("size", "128");
+  const bool is_cube = std::string_view(name) == "shadow_map_cube";
+  if (is_cube) recipe.set("keep", "false");
+  scene::Camera camera = recipe.scene()->camera;
+  camera.eye = eye;
+  camera.target = target;
+  camera.fovy = 20;
+  recipe.set_camera(camera);
+  recipe.set_light(recipe.scene()->lights[0].position);
+  recipe.draw();
+  picture = graphics.frame.read_color().rgba;
+  return gl::held(graphics.gl).textures.bytes - before;
+}
+
+// Over a corner of the table, at what no shadow reaches: one texel, 24 bits of depth, stands for
+// the map, and one a face for a cube. Where shadows are seen the whole map is there.
+TEST(RunUnderAPlan, makes_no_map_that_nobody_reads) {
+  using Casters = recipe::Options::Casters;
+  const struct {
+    const char* name;
+    std::uint64_t faces;
+  } recipes[] = {{"shadow_map_fbo", 1},
+                 {"shadow_map_sampler", 1},
+                 {"shadow_map_pcf", 1},
+                 {"shadow_map_cube", 6}};
+  std::vector<std::uint8_t> without, with;
+  for (const auto& [name, faces] : recipes) {
+    const std::uint64_t whole = faces * 128 * 128 * 3;
+    EXPECT_EQ(held_by(name, Casters::all, {1.8, 2, 2.2}, {1.8, 0, 1.3}, without), whole) << name;
+    EXPECT_EQ(held_by(name, Casters::planned, {1.8, 2, 2.2}, {1.8, 0, 1.3}, with), faces * 3)
+        << name;
+    EXPECT_EQ(with, without) << name;
+    EXPECT_EQ(held_by(name, Casters::planned, {3, 3, 5}, {0, 0.5, 0}, with), whole) << name;
   }
 }
 
