@@ -2701,7 +2701,7 @@ function shadow.silhouette(mesh, model, light) end
 ---@return any
 function shadow.extrusion(mesh, values, model) end
 
----What of a mesh, or of a scene's object (model may then be nil), to draw flattened onto a planar receiver, an object of the scene: its silhouette filled by triangles, whose faces of the two facings, counted up and down in the stencil, are not zero where the shadow is; or, with the light in its box or the receiver cutting that, its own triangles that count. None where its shadow cannot meet the receiver, more than one where 7 bits may not count it.
+---What of a mesh, or of a scene's object (model may then be nil), to draw flattened onto a planar receiver, an object of the scene: its silhouette filled by triangles, whose faces of the two facings, counted up and down in the stencil, are not zero where the shadow is (of a light in its box: not -offset); or, with the receiver cutting its box, its own triangles that count. None where its shadow cannot meet the receiver, more than one where 7 bits may not count it.
 ---
 ---`shadow.outlines(mesh, model, light, receiver) -> { outline, … }`
 ---@return table
@@ -2972,6 +2972,7 @@ function volume_value:draw_unlit(shader, values) end
 ---@class outline
 ---@field triangles any how many there are
 ---@field layers any no point is counted more often
+---@field offset any to be added to what they count
 local outline_value = {}
 
 ---Draws its triangles with the caster's model matrix, unless given another: shadow.planar(…) * the caster's.

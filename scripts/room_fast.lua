@@ -63,6 +63,13 @@ local function mark(r, wall, seen)
   gl.Disable(gl.DEPTH_TEST)
 end
 
+local function draw_wall(r, wall, seen)
+  lab_room.wall_mesh(r, wall, 1):draw(r.flat, { view = seen.view, projection = seen.projection, model = wall.model,
+                                                color = vec3(1) })
+end
+
+local function side_of(plane, point) return plane:dot(point) >= 0 and 1 or -1 end
+
 -- The outlines of one point's shadows, counted up and down in bits 0 to 6.
 local function count(r, wall, point, outline, caster, seen)
   local model = seen.models[caster]
@@ -76,6 +83,10 @@ local function count(r, wall, point, outline, caster, seen)
                            model = shadow.planar(wall.plane, point) * model,
                            above = model:transpose() * shadow.plane_toward(wall.plane, point) })
   gl.Disable(gl.CLIP_DISTANCE0)
+  -- Of a light in the caster's box the same number is missing everywhere; seen from behind, counts are turned.
+  local missing = outline.offset * side_of(wall.plane, point) * side_of(wall.plane, vec4(r.scene.camera.eye, 1))
+  gl.StencilOp(gl.KEEP, gl.KEEP, missing > 0 and gl.INCR_WRAP or gl.DECR_WRAP)
+  for _ = 1, math.abs(missing) do draw_wall(r, wall, seen) end
 end
 
 -- One more point is hidden where the count is not zero; it is zero again for what comes next. Where more of
@@ -85,8 +96,7 @@ local function add(r, wall, mask, seen)
   gl.StencilMask(mask)
   gl.StencilFunc(gl.NOTEQUAL, 0, 0x7F)
   gl.StencilOp(gl.KEEP, gl.KEEP, gl.ZERO)
-  lab_room.wall_mesh(r, wall, 1):draw(r.flat, { view = seen.view, projection = seen.projection, model = wall.model,
-                                                color = vec3(1) })
+  draw_wall(r, wall, seen)
 end
 
 local function add_wall(r, wall, points, first, last, seen)

@@ -22,11 +22,14 @@ std::string why(const std::string& caster, const std::string& receiver, Filling 
     case Filling::outline:
       return fmt::format("{} shadows {} by its outline, {} triangles in place of {}.", caster,
                          receiver, triangles, all);
-    case Filling::faces:
+    case Filling::around:
       return fmt::format(
-          "{} shadows {} by {} of its own {} triangles, since the light is in its box or {} cuts "
-          "it.",
-          caster, receiver, triangles, all, receiver);
+          "{} shadows {} by its outline, {} triangles in place of {}, though the light is in its "
+          "box: that adds the same number to all counts.",
+          caster, receiver, triangles, all);
+    case Filling::faces:
+      return fmt::format("{} shadows {} by {} of its own {} triangles, since {} cuts its box.",
+                         caster, receiver, triangles, all, receiver);
   }
   return {};
 }
@@ -52,7 +55,9 @@ bool append_outline(lua_State* L, const Cast& cast, shadow::TriangleRange triang
   const shadow::Flat flat = source->builder.flat(cast.light, cast.filling, how);
   if (!layers) layers = flat.layers;
   if (!layers || *layers > most_layers) return false;
-  Outline outline{stage.volumes->next(cast.mesh), *layers};
+  const std::size_t beside = static_cast<std::size_t>(std::abs(flat.offset));
+  if (*layers + beside > most_layers) return false;
+  Outline outline{stage.volumes->next(cast.mesh), *layers + beside, flat.offset};
   Volume& volume = *outline.volume;
   volume.model = cast.model;
   volume.light = cast.light;
@@ -99,8 +104,12 @@ int outlines(lua_State* L) {
   if (cast.filling != Filling::none && !append_outline(L, cast, {}, std::nullopt)) {
     // In parts, each of as many layers as 7 bits count. Their spans change while others are built.
     const auto found = source->layers.parts(light_as_drawn(cast.model, light), most_layers);
-    for (const shadow::Part& part : std::vector(found.begin(), found.end()))
-      append_outline(L, cast, part.triangles, part.layers);
+    Cast by_faces = cast;
+    by_faces.filling = Filling::faces;
+    for (const shadow::Part& part : std::vector(found.begin(), found.end())) {
+      if (!append_outline(L, cast, part.triangles, part.layers))
+        append_outline(L, by_faces, part.triangles, part.layers);
+    }
   }
   if (stage.explaining) {
     stage.explain(why(caster_name(L, 1), receiver.name, cast.filling, triangles_in(L),
@@ -121,9 +130,11 @@ constexpr Entry functions[] = {
     {"outlines", "shadow.outlines(mesh, model, light, receiver) -> { outline, … }",
      "What of a mesh, or of a scene's object (model may then be nil), to draw flattened onto a "
      "planar receiver, an object of the scene: its silhouette filled by triangles, whose faces of "
-     "the two facings, counted up and down in the stencil, are not zero where the shadow is; or, "
-     "with the light in its box or the receiver cutting that, its own triangles that count. None "
-     "where its shadow cannot meet the receiver, more than one where 7 bits may not count it.",
+     "the two facings, counted up and down in the stencil, are not zero where the shadow is (of a "
+     "light in its box: not -offset); or, with the receiver cutting its box, its own triangles "
+     "that "
+     "count. None where its shadow cannot meet the receiver, more than one where 7 bits may not "
+     "count it.",
      guarded<outlines>},
 };
 constexpr Entry methods[] = {
@@ -132,14 +143,20 @@ constexpr Entry methods[] = {
      "shadow.planar(…) * the caster's.",
      guarded<draw_outline>},
 };
-constexpr std::string_view field_names[] = {"triangles", "layers"};
+constexpr std::string_view field_names[] = {"triangles", "layers", "offset"};
 
 }  // namespace
 
 bool BoxTraits<Outline>::push_field(lua_State* L, Outline& outline, std::string_view key) {
-  if (key != "triangles" && key != "layers") return false;
-  lua_pushinteger(
-      L, static_cast<lua_Integer>(key == "layers" ? outline.layers : outline.volume->all / 3));
+  if (key == "triangles") {
+    lua_pushinteger(L, static_cast<lua_Integer>(outline.volume->all / 3));
+  } else if (key == "layers") {
+    lua_pushinteger(L, static_cast<lua_Integer>(outline.layers));
+  } else if (key == "offset") {
+    lua_pushinteger(L, outline.offset);
+  } else {
+    return false;
+  }
   return true;
 }
 

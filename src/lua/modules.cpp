@@ -91,8 +91,9 @@ std::vector<ValueType> all_values() {
        described<VolumeBox>({{"triangles", "how many there are, caps and all"},
                              {"side_triangles", "how many of them are its sides"}})},
       {"outline", "What shadow.outlines gives.", outline_methods(),
-       described<Outline>(
-           {{"triangles", "how many there are"}, {"layers", "no point is counted more often"}})},
+       described<Outline>({{"triangles", "how many there are"},
+                           {"layers", "no point is counted more often"},
+                           {"offset", "to be added to what they count"}})},
       {"extrusion", "What shadow.extrusion gives.", extrusion_methods(),
        described<Extrusion>({{"primitives", "how many the shaders are given"}})},
   };

@@ -127,6 +127,7 @@ struct BoxTraits<Extrusion> {
 struct Outline {
   VolumeBox volume;
   std::size_t layers = 0;  ///< no point is counted more often
+  int offset = 0;          ///< to be added to what it counts
 };
 
 template <>

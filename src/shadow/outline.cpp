@@ -45,7 +45,8 @@ Filling filling(const Placed& caster, glm::dvec4 light, glm::dvec4 plane, const 
           .parts_from(crate_around(receiver.bounds, receiver.model, room)))
     return Filling::none;
   // A caster that stands on the plane does not cut it.
-  return lowest < -room || holds(caster.bounds, in_model) ? Filling::faces : Filling::outline;
+  if (lowest < -room) return Filling::faces;
+  return holds(caster.bounds, in_model) ? Filling::around : Filling::outline;
 }
 
 }  // namespace shadowlab::shadow

@@ -11,8 +11,12 @@
 // thousands of triangles. For an open or non-manifold caster the edges have their signed
 // multiplicity, as in its volume.
 //
-// Where L is inside the caster's box (in the hole of a torus), or the plane cuts that box, the
-// counted triangles themselves are flattened: right everywhere.
+// Where L is inside the caster's box (in the hole of a torus), W(L) may be another number; but it
+// is one for all points of the plane, and known from how often any one ray from L crosses C and F.
+// So F is flattened all the same, and that is added to its count.
+//
+// Where the plane cuts the caster's box, the counted triangles themselves are flattened: right
+// everywhere.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -25,6 +29,7 @@ namespace shadowlab::shadow {
 enum class Filling {
   none,     ///< nothing: its shadow cannot meet the receiver
   outline,  ///< triangles over its silhouette
+  around,   ///< the same of a light in its box: what they count less is found too
   faces,    ///< the triangles that count
 };
 

@@ -85,6 +85,8 @@ struct Flat {
   /// No point of the plane is counted more often; nothing where that was not found on the way (ask
   /// Layers).
   std::optional<std::size_t> layers;
+  /// To be added to what they count at each point (outline.h).
+  int offset = 0;
 };
 
 /// The volume of one mesh under a moving light. The vertices never change; a light's move writes
@@ -106,8 +108,8 @@ class VolumeBuilder {
 
   /// What is flattened for the shadow on a plane (outline.h), as indices into `vertices()`, three a
   /// triangle, counter-clockwise as the light sees it. Of the options the triangles and the
-  /// handedness count. `filling` is outline or faces; none gives nothing. Valid until the next
-  /// `flat` or `build`.
+  /// handedness count. `filling` is outline, around or faces, which around may come to where no
+  /// ray tells the offset for certain; none gives nothing. Valid until the next `flat` or `build`.
   Flat flat(glm::dvec4 light, Filling filling, const VolumeOptions& options = {});
 
   /// The coefficient c of each triangle, by the rules above. Valid until the next `chain` or

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
 
+#include "shadow/crossings.h"
 #include "shadow/differing.h"
 #include "shadow/volume.h"
 
@@ -279,6 +282,15 @@ Flat VolumeBuilder::flat(glm::dvec4 light, Filling filling, const VolumeOptions&
   Index* const begin = indices_.get();
   Index* end = begin;
   std::optional<std::size_t> layers;
+  std::array<std::optional<int>, 3> of_faces;
+  const auto rays_through = [&](Index* last) {
+    std::array<std::optional<int>, 3> counts;
+    for (int axis = 0; axis < 3; ++axis)
+      counts[std::size_t(axis)] =
+          crossings(vertices_, {begin, last}, glm::dvec3(light) / light.w, axis);
+    return counts;
+  };
+  if (filling == Filling::around) of_faces = rays_through(append_cap(begin, front_));
   if (filling == Filling::faces) {
     end = append_cap(begin, front_);
   } else {
@@ -288,12 +300,25 @@ Flat VolumeBuilder::flat(glm::dvec4 light, Filling filling, const VolumeOptions&
     for (const Index* side = begin; side != sides_end; side += 3)
       outline_.push_back({side[1], side[0]});
     end = filling_.append(outline_, vertices_.size(), begin);
-    layers = filling_.most_windings(vertices_, light);
+    if (filling == Filling::outline) layers = filling_.most_windings(vertices_, light);
+  }
+  int offset = 0;
+  if (filling == Filling::around) {
+    const auto of_outline = rays_through(end);
+    std::size_t told = 0;
+    while (told < 3 && !(of_faces[told] && of_outline[told])) ++told;
+    if (told == 3) return flat(light, Filling::faces, options);
+    // From the far end of the ray to the light it crosses as often the other way.
+    offset = *of_outline[told] - *of_faces[told];
+    // From one direction to another the count changes by how often the outline passes between them,
+    // to one side more than to the other. As the light sees it an edge passes the great circle
+    // through both at most once; as often as it passes between them it has to come back elsewhere.
+    layers = static_cast<std::size_t>(std::abs(*of_faces[told])) + outline_.size() / 2;
   }
   if (options.handedness == Handedness::mirrored) {
     for (Index* i = begin; i != end; i += 3) std::swap(i[0], i[1]);
   }
-  return {{begin, end}, layers};
+  return {{begin, end}, layers, offset};
 }
 
 VolumeIndices VolumeBuilder::build(glm::dvec4 light, const VolumeOptions& options) {

@@ -76,8 +76,11 @@ test("an_outline_has_a_fraction_of_the_triangles", function()
   -- Two loops, of which a point within the tube's shadow is inside one more than of the other.
   expect(outline.layers >= 1 and outline.layers < 10, outline.layers .. " layers")
   local within = torus.model:transform_point(vec3(0, 0, 0))
-  expect_equal(shadow.outlines(torus, nil, vec4(within, 1), floor)[1].triangles, torus.mesh.triangles,
-               "with the light in its box, all its faces")
+  -- In its hole the filling may be on either side of the light: then it counts the same number too few everywhere.
+  local around = shadow.outlines(torus, nil, vec4(within, 1), floor)[1]
+  expect(around.triangles < torus.mesh.triangles / 10, around.triangles .. " triangles with the light in its box")
+  expect_equal(outline.offset, 0)
+  expect(around.offset ~= 0, "nothing is missing")
 end)
 
 test("receivers_that_are_not_planar_are_refused", function()
