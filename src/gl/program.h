@@ -110,6 +110,11 @@ class ProgramCache {
   explicit ProgramCache(const Functions& gl) : gl_(gl) {}
   std::shared_ptr<Program> get(const ProgramSource& source);
   std::size_t size() const { return programs_.size(); }
+  /// Tells `told` of each program.
+  template <class Told>
+  void each(const Told& told) const {
+    for (const auto& [source, program] : programs_) told(*program);
+  }
   /// Where there are more than `most`, those that nobody holds go.
   void trim(std::size_t most);
 

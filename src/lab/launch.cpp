@@ -34,10 +34,16 @@ fs::path program_of(const Isolation& isolation) {
 }
 
 // What a worker's environment has: the choice of a driver, and nothing about who runs it. Its
-// driver has no threads and no cache on the disk (zygote.h).
+// driver has no threads and no cache on the disk (zygote.h), and its shaders are not optimized: a
+// submission draws a few small pictures, and compiles for them more than it draws. The pixels are
+// the same.
 Words environment() {
-  Words variables{"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true", "LIBGL_ALWAYS_SOFTWARE=1",
-                  "LC_ALL=C", "SHADOWLAB_HOME=" + home().string()};
+  Words variables{"LP_NUM_THREADS=0",
+                  "MESA_SHADER_CACHE_DISABLE=true",
+                  "LIBGL_ALWAYS_SOFTWARE=1",
+                  "GALLIVM_PERF=nopt",
+                  "LC_ALL=C",
+                  "SHADOWLAB_HOME=" + home().string()};
   for (const char* name : {"LD_LIBRARY_PATH", "LP_NATIVE_VECTOR_WIDTH", "GALLIUM_DRIVER",
                            "ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
     if (const char* value = std::getenv(name))
@@ -51,6 +57,7 @@ Words serving(const Isolation& isolation, bool namespaces) {
               fmt::format("--size={}x{}", isolation.width, isolation.height),
               fmt::format("--context={}", context::name_of(isolation.backend))};
   if (namespaces) words.emplace_back("--namespaces");
+  if (isolation.warmth == Warmth::states) words.emplace_back("--states");
   for (const fs::path& file : isolation.warm) words.push_back(fs::absolute(file).string());
   return words;
 }

@@ -29,6 +29,7 @@
 #include "context/context.h"
 #include "lab/job.h"
 #include "lab/layers.h"
+#include "lab/warmth.h"
 
 namespace shadowlab::lab {
 
@@ -40,6 +41,7 @@ struct Isolation {
   /// Drawn once before any submission, in a picture of this size: for speed alone. Nothing that a
   /// submission may not know: a submission that owned its process could read the memory.
   std::vector<std::filesystem::path> warm = {};
+  Warmth warmth = Warmth::recipes;
   int width = 256, height = 256;  ///< pixels
   context::Backend backend = context::Backend::automatic;
   enum class Namespaces { where_allowed, none } namespaces = Namespaces::where_allowed;

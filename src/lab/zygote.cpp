@@ -22,7 +22,6 @@
 #include "lab/channel.h"
 #include "lab/lock.h"
 #include "lab/wire.h"
-#include "recipe/recipe.h"
 
 namespace shadowlab::lab {
 namespace {
@@ -35,23 +34,6 @@ std::vector<std::uint8_t> message_with(const T& record, const std::string& text)
   std::memcpy(bytes.data(), &record, sizeof record);
   std::memcpy(bytes.data() + sizeof record, text.data(), text.size());
   return bytes;
-}
-
-// Shaders and the driver's code for them are compiled by what is drawn with them.
-void warm_up(gl::Graphics& graphics, const std::vector<std::filesystem::path>& recipes) {
-  for (const auto& file : recipes) {
-    try {
-      recipe::Recipe recipe(graphics, file);
-      recipe.draw();
-      (void)graphics.frame.read_color();
-      (void)graphics.frame.read_depth();
-      (void)graphics.frame.read_stencil();
-    } catch (const InputError&) {
-      // It is then not warm, and nothing else.
-    }
-  }
-  graphics.begin_frame();
-  graphics.clear_buffers();
 }
 
 // The child has the channel as descriptor 3, and 0, 1, 2; no others.
@@ -129,7 +111,7 @@ class Zygote {
     sigaddset(&children, SIGCHLD);
     ::sigprocmask(SIG_BLOCK, &children, nullptr);
     graphics_.emplace(context::create(options.backend), options.width, options.height);
-    warm_up(*graphics_, options.warm);
+    warm_up(*graphics_, options.warm, options.warmth);
     layers_ = try_layers();
     layers_.namespaces = options.namespaces;
     ended_ = Descriptor(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));

@@ -13,6 +13,7 @@
 #include "context/context.h"
 #include "lab/job.h"
 #include "lab/layers.h"
+#include "lab/warmth.h"
 
 namespace shadowlab::lab {
 
@@ -48,6 +49,7 @@ struct ZygoteOptions {
   context::Backend backend = context::Backend::automatic;
   bool namespaces = false;
   std::vector<std::filesystem::path> warm = {};
+  Warmth warmth = Warmth::recipes;
 };
 
 /// What a child does once it is locked in, with the channel to whoever ordered it. Tests have
