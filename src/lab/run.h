@@ -58,7 +58,8 @@ std::vector<Result> run(const Lab& lab, const Reference& reference,
                         std::span<const Submission> submissions, const DrawSubmission& draw,
                         const RunOptions& options);
 
-/// The results in a run's folder, by name. Throws InputError where it holds none.
+/// The results in a run's folder, by name; none where its shard is empty. Throws InputError where
+/// it is no run's.
 std::vector<Result> results_in(const std::filesystem::path& out);
 RunIdentity identity_of(const std::filesystem::path& out);
 void write_identity(const std::filesystem::path& out, const RunIdentity& identity);
