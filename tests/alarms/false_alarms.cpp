@@ -4,7 +4,10 @@
 //   SHADOWLAB_ALARMS=all false_alarms SETTING      all labs, and what is right in another way
 //
 // The setting is in force for the reference, which this process draws as `shadowlab grade` does,
-// and for the worker that draws the submission; and then for the reference alone.
+// and for the worker that draws the submission; and then for the reference alone. softpipe, another
+// driver with GL 3.3, draws solutions alone, since some alternatives need more; and how a driver
+// filters the comparisons of a depth texture GL leaves to it, so that lab 12 holds where one driver
+// draws both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,18 +28,21 @@ struct DriverSetting {
   std::string_view name, variable, value;
   context::Backend context = context::Backend::automatic;
 };
+// Not a width of 512: with it Mesa 22.3 breaks its heap on a processor that has AVX-512, and draws
+// nothing at all.
 constexpr std::array settings{
     DriverSetting{"threads_0", "LP_NUM_THREADS", "0"},
+    DriverSetting{"softpipe", "GALLIUM_DRIVER", "softpipe"},
     DriverSetting{"threads_1", "LP_NUM_THREADS", "1"},
     DriverSetting{"threads_2", "LP_NUM_THREADS", "2"},
     DriverSetting{"width_128", "LP_NATIVE_VECTOR_WIDTH", "128"},
     DriverSetting{"width_256", "LP_NATIVE_VECTOR_WIDTH", "256"},
-    DriverSetting{"width_512", "LP_NATIVE_VECTOR_WIDTH", "512"},
     DriverSetting{"osmesa", "", "", context::Backend::osmesa},
     DriverSetting{"egl", "", "", context::Backend::egl},
-    DriverSetting{"softpipe", "GALLIUM_DRIVER", "softpipe"},
 };
 const DriverSetting* setting = nullptr;  // the one of this process
+
+bool is_another_driver() { return setting->variable == "GALLIUM_DRIVER"; }
 
 bool all_labs() {
   const char* given = std::getenv("SHADOWLAB_ALARMS");
@@ -73,7 +79,8 @@ class Alarms : public testing::Test {
       return Drawn{std::string(name_of(outcome.verdict)), outcome.sentence, {}};
     };
     std::vector<fs::path> right{lab.solution()};
-    if (all_labs()) right.insert(right.end(), lab.alternatives.begin(), lab.alternatives.end());
+    if (all_labs() && !is_another_driver())
+      right.insert(right.end(), lab.alternatives.begin(), lab.alternatives.end());
     for (const fs::path& recipe : right) {
       const Result result = grade(lab, reference, {recipe.stem(), recipe, {}, {}}, by_worker, {});
       EXPECT_EQ(result.score, lab.points) << lab.name << " " << recipe.filename() << result.error;
@@ -96,6 +103,7 @@ TEST_F(Alarms, a_solution_has_all_marks_under_each_setting_and_against_a_referen
       Worker alike(isolation(lab, setting->context));
       expect_all_marks(lab, reference, alike);
     }
+    if (is_another_driver() && lab.name == "12_pcf") continue;
     const std::string variable(setting->variable), value(setting->value);
     if (!variable.empty()) ::unsetenv(variable.c_str());
     {
