@@ -61,7 +61,7 @@ shadow::TriangleRange run_argument(lua_State* L, int index, VolumeSource& source
   const auto light = read_light(L, lua_gettop(L), "light");
   lua_pop(L, 2);
   const shadow::TriangleRange run =
-      part_of(source, light_as_drawn(model, light), part, "extrusion");
+      part_of(source, light_as_drawn(source, model, light), part, "extrusion");
   return {run.first, std::min(run.last, all)};
 }
 
@@ -138,10 +138,10 @@ Seen read_seen(lua_State* L, const Extrusion& extrusion, int table) {
   if (lua_getfield(L, table, "view") != LUA_TNIL) view = read<glm::dmat4>(L, -1, "view");
   if (lua_getfield(L, table, "light") == LUA_TNIL)
     throw InputError("an extrusion is drawn with a light; give light in the draw's table");
-  const glm::dvec4 light = read_light(L, lua_gettop(L), "light").position;
+  const scene::Light light = read_light(L, lua_gettop(L), "light");
   lua_pop(L, 3);
   // The very floats that the shader extrudes from, so that its sides and its facings agree.
-  seen.light = glm::dvec4(glm::vec4(shadow::light_in_model_space(seen.model, light)));
+  seen.light = light_as_drawn(*extrusion.source, seen.model, light);
   seen.eye = shadow::light_in_model_space(seen.model, glm::inverse(view)[3]);
   return seen;
 }

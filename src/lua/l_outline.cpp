@@ -103,7 +103,8 @@ int outlines(lua_State* L) {
   lua_newtable(L);
   if (cast.filling != Filling::none && !append_outline(L, cast, {}, std::nullopt)) {
     // In parts, each of as many layers as 7 bits count. Their spans change while others are built.
-    const auto found = source->layers.parts(light_as_drawn(cast.model, light), most_layers);
+    const auto found =
+        source->layers.parts(light_as_drawn(*source, cast.model, light), most_layers);
     Cast by_faces = cast;
     by_faces.filling = Filling::faces;
     for (const shadow::Part& part : std::vector(found.begin(), found.end())) {

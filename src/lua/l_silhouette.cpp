@@ -31,8 +31,10 @@ glm::dmat4 caster_model(lua_State* L, int index, const char* function) {
       fmt::format("argument {} of shadow.{} (the model matrix)", index, function).c_str());
 }
 
-glm::dvec4 light_as_drawn(const glm::dmat4& model, const scene::Light& light) {
-  return glm::dvec4(glm::vec4(shadow::light_in_model_space(model, light.position)));
+glm::dvec4 light_as_drawn(const VolumeSource& source, const glm::dmat4& model,
+                          const scene::Light& light) {
+  const glm::dvec4 there = shadow::light_in_model_space(model, light.position);
+  return glm::dvec4(glm::vec4(source.builder.facing().beside(there)));
 }
 
 std::string caster_name(lua_State* L, int index) {
@@ -107,7 +109,8 @@ int parts(lua_State* L) {
     lua_createtable(L, 0, 0);
     return 1;
   }
-  const auto found = stage.volumes->source(mesh)->layers.parts(light_as_drawn(model, light));
+  const auto source = stage.volumes->source(mesh);
+  const auto found = source->layers.parts(light_as_drawn(*source, model, light));
   lua_createtable(L, static_cast<int>(found.size()), 0);
   for (std::size_t i = 0; i < found.size(); ++i) {
     lua_pushinteger(L, static_cast<lua_Integer>(found[i].layers));

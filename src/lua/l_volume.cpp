@@ -141,7 +141,7 @@ int build(lua_State* L) {
   stage.state.check_budget(mesh->indices.size());
   VolumeBox& volume = stage.volumes->next(mesh);
   volume->model = model;
-  volume->light = light_as_drawn(model, light);
+  volume->light = light_as_drawn(*volume->source, model, light);
   volume->extrusion = std::isinf(options.extrusion) ? 0 : options.extrusion;
   volume->triangles =
       options.lecture || options.part == 0

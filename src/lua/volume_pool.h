@@ -152,8 +152,9 @@ glm::dmat4 caster_model(lua_State* L, int index, const char* function);
 /// What an explanation calls the mesh or object at `index`.
 std::string caster_name(lua_State* L, int index);
 /// The light in the caster's space, as the very floats that the shader extrudes from: so that its
-/// sides and what is decided here agree.
-glm::dvec4 light_as_drawn(const glm::dmat4& model, const scene::Light& light);
+/// sides and what is decided here agree; beside the faces that it lies on.
+glm::dvec4 light_as_drawn(const VolumeSource& source, const glm::dmat4& model,
+                          const scene::Light& light);
 
 /// The triangles of part `part` of shadow.parts, counted from 1, for a light as drawn. Throws
 /// InputError, naming shadow.`function`, where there is none.

@@ -171,4 +171,42 @@ void FacingPlanes::signs(glm::dvec4 light, std::size_t first, std::span<std::int
   decide(light, first, out, AnySign{});
 }
 
+// In radii: nearer than this a light is on a triangle, and is moved to twice that.
+constexpr double on_triangle = 0x1p-18;
+
+std::optional<glm::dvec3> FacingPlanes::beside(std::size_t t, glm::dvec3 p) const {
+  const glm::dvec3 corners[3] = {positions_[triangles_[t][0]], positions_[triangles_[t][1]],
+                                 positions_[triangles_[t][2]]};
+  const glm::dvec3 n = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const double height = glm::dot(n, p - corners[0]), least = on_triangle * radius_;
+  if (!(std::abs(height) < least)) return {};
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3 edge = corners[(i + 1) % 3] - corners[i];
+    if (glm::dot(glm::cross(n, edge), p - corners[i]) < -least * glm::length(edge)) return {};
+  }
+  return p + n * ((height < 0 ? -2 : 2) * least - height);
+}
+
+glm::dvec4 FacingPlanes::beside(glm::dvec4 light) const {
+  if (light.w == 0 || triangles_.empty()) return light;
+  glm::dvec3 p = glm::dvec3(light) / light.w;
+  if (!(glm::distance(p, center_) <= radius_ * (1 + on_triangle))) return light;
+  // A corner has several triangles: off one the light may come onto the next.
+  bool moved = false;
+  for (int turn = 0; turn < 3; ++turn) {
+    bool again = false;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const glm::dvec3 l = (p - center_) / radius_;
+      const double height = x_[t] * l.x + y_[t] * l.y + z_[t] * l.z + d_[t];
+      if (std::abs(height) > 2 * on_triangle) continue;
+      if (const auto there = beside(t, p)) {
+        p = *there;
+        again = moved = true;
+      }
+    }
+    if (!again) break;
+  }
+  return moved ? glm::dvec4(p, 1) : light;
+}
+
 }  // namespace shadowlab::shadow

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,12 @@ class FacingPlanes {
   /// out[i] for triangle first + i: +1, -1, or 0 where the light is in its plane.
   void signs(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const;
 
+  /// `light` (normalized), moved off the triangles that it lies on: to 2^-17 of the mesh's radius
+  /// from them, toward the side that it is on, or their front. Nearer, floats do not tell the three
+  /// directions to such a triangle's corners from directions in one plane, so that its shadow, half
+  /// of all there is, is lost. Costs nothing where the light is outside of the mesh's ball.
+  glm::dvec4 beside(glm::dvec4 light) const;
+
   /// A light in the planes' units, rounded: plane(i)·light is over `bound` where triangle i faces
   /// it, under -bound where it faces away, in float and in whatever order the products are added.
   /// Between the two the planes cannot tell.
@@ -58,6 +65,8 @@ class FacingPlanes {
   double radius_ = 1;      // of a ball around center_ that holds all vertices
   double coordinate_ = 0;  // no vertex has a greater one
 
+  /// Where the light at `p` is beside triangle t; nothing where that is not too near.
+  std::optional<glm::dvec3> beside(std::size_t t, glm::dvec3 p) const;
   template <class Sign>
   void decide(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out, Sign sign) const;
 };

@@ -103,6 +103,33 @@ TEST(FacingPlanes, of_a_part_are_those_of_the_whole) {
   EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + 777));
 }
 
+TEST(FacingPlanes, move_a_light_off_the_triangles_that_it_lies_on_and_no_other) {
+  const Adjacency mesh = scene::adjacency(scene::tetrahedron(0.6));
+  const FacingPlanes planes(mesh.positions, mesh.triangles);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
+    const glm::dvec3 normal = glm::normalize(glm::cross(q - p, r - p));
+    const auto height = [&](glm::dvec4 light) { return glm::dot(normal, glm::dvec3(light) - p); };
+    for (const glm::dvec3 at : {(p + q + r) / 3.0, (p + q) * 0.5, p}) {
+      for (const double off : {0.0, 1e-9, -1e-9, 1e-7, -1e-7}) {
+        const glm::dvec4 light(at + normal * off, 1), moved = planes.beside(light);
+        // Off a corner it may come to be beside a triangle, where its plane is as near as it likes.
+        if (at != p) {
+          EXPECT_GT(std::abs(height(moved)), 1e-6) << off;
+        }
+        EXPECT_LT(glm::distance(moved, light), 3e-5) << off;
+        if (off != 0 && at == (p + q + r) / 3.0) {
+          EXPECT_EQ(height(moved) > 0, off > 0);
+        }
+      }
+    }
+    // In its plane beside it, above it, and at infinity in its plane.
+    for (const glm::dvec4 light :
+         {glm::dvec4(p + (p - q), 1), glm::dvec4(p + normal * 1e-4, 1), glm::dvec4(p - q, 0)})
+      EXPECT_EQ(planes.beside(light), light);
+  }
+}
+
 TEST(Light, that_is_no_place_is_refused_and_a_negative_w_is_the_same_point) {
   EXPECT_THROW(normalized_light({0, 0, 0, 0}), InputError);
   EXPECT_THROW(normalized_light({std::nan(""), 0, 0, 1}), InputError);
