@@ -8,6 +8,7 @@
 -- The picture is tinted by the map that each fragment was shaded by.
 local draw_lit = require "parts.draw_lit"
 local map_array = require "parts.map_array"
+local map_limit = require "parts.map_limit"
 local map_pass = require "parts.map_pass"
 
 local recipe = {
@@ -62,6 +63,12 @@ function recipe.maps(r)
     maps[i] = { view = view, projection = projection, casters = group, far = far }
   end
   return maps
+end
+
+function recipe.limit(r)
+  local projections = {}
+  for i, map in ipairs(recipe.maps(r)) do projections[i] = map.projection end
+  return map_limit(projections, r.params.size)
 end
 
 -- A list of objects drawn as one.

@@ -2,6 +2,7 @@
 -- copied into a texture. The map is no larger than the window that way; here a larger one is drawn
 -- and copied in pieces, one window at a time.
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 
 local recipe = {
   title   = "A shadow map, copied from the depth buffer",
@@ -21,6 +22,11 @@ local recipe = {
 -- One point light's frustum holds what is on one side of it: no map where casters are all around.
 function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene)
+end
+
+function recipe.limit(r)
+  local _, projection = shadow.light_view(r.params.light, r.scene)
+  return map_limit({ projection }, r.params.size)
 end
 
 function recipe.setup(r)

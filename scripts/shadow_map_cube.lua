@@ -2,6 +2,7 @@
 -- for each half-axis, and is looked up by the direction from the light. Faces on which no caster can
 -- shadow what is seen are not drawn; and while light and casters are still the whole map is kept.
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 local still = require "parts.still"
 
 local recipe = {
@@ -30,6 +31,11 @@ local targets = {
   gl.TEXTURE_CUBE_MAP_POSITIVE_Y, gl.TEXTURE_CUBE_MAP_NEGATIVE_Y,
   gl.TEXTURE_CUBE_MAP_POSITIVE_Z, gl.TEXTURE_CUBE_MAP_NEGATIVE_Z,
 }
+
+function recipe.limit(r)
+  local near, far = shadow.cube_range(r.params.light, r.scene, { fit = r.params.keep and "scene" or "view" })
+  return map_limit({ shadow.cube_faces(r.params.light, near, far)[1].projection }, r.params.size)
+end
 
 -- Of six faces that have one size: GL takes no cube without each.
 local function make_cube(size, filter)

@@ -12,6 +12,7 @@
 -- 300,000; a smaller tolerance in depth loses more, to acne. Where hundreds of large triangles lie over
 -- each other in every cell, as in the scene shells, sorting them takes seconds: 48 cells a side do there.
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 local triangle_grid = require "parts.triangle_grid"
 
 local recipe = {
@@ -29,6 +30,15 @@ local recipe = {
 
 function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene)
+end
+
+-- The rounding of what is compared, in the light's square and in depth (parts.triangle_grid): 1e-5 of the
+-- map's side, and 2e-6 of its depth, which is 34 steps of 24 bits.
+function recipe.limit(r)
+  local _, projection = shadow.light_view(r.params.light, r.scene)
+  local limit = map_limit({ projection }, 1e5)
+  limit.light_units = 34
+  return limit
 end
 
 function recipe.setup(r)

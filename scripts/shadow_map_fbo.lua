@@ -1,6 +1,7 @@
 -- A shadow map in a framebuffer object of its own, for a directional light: no window limits its size,
 -- nothing is copied, and no colour is drawn.
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 local map_pass = require "parts.map_pass"
 local still = require "parts.still"
 
@@ -26,6 +27,11 @@ local recipe = {
 
 function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene)
+end
+
+function recipe.limit(r)
+  local _, projection = shadow.light_view(r.params.light, r.scene, { fit = r.params.keep and "scene" or "view" })
+  return map_limit({ projection }, r.params.size)
 end
 
 -- The map, made when somebody reads it.

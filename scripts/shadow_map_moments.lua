@@ -2,6 +2,7 @@
 -- two (variance), two of each of two exponentials (exponential variance), or four. Blurred once, they
 -- cost one lookup a pixel whatever the width. Their price is light that leaks where shadows overlap.
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 
 local recipe = {
   title   = "Moment shadow maps",
@@ -19,6 +20,12 @@ local recipe = {
 
 function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene)
+end
+
+-- Of what one blocker hides; where blockers at two depths are under one filter, light leaks without a bound but 1.
+function recipe.limit(r)
+  local _, projection = shadow.light_view(r.params.light, r.scene)
+  return map_limit({ projection }, r.params.size, 2 * r.params.reach + 2)
 end
 
 function recipe.setup(r)

@@ -3,6 +3,7 @@
 -- number of taps, over any width, in any pattern, with any weights. The edge is soft, and equally
 -- so everywhere: its width is the filter's in the map, not the light's (shadow_map_pcss does that).
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 local map_pass = require "parts.map_pass"
 
 local recipe = {
@@ -70,6 +71,11 @@ local function filter(params)
   end
   for i, tap in ipairs(taps) do taps[i] = vec3(tap.x, tap.y, tap.z / sum) end
   return taps
+end
+
+function recipe.limit(r)
+  local _, projection = shadow.light_view(r.params.light, r.scene)
+  return map_limit({ projection }, r.params.size, r.params.width + 2)
 end
 
 function recipe.setup(r)

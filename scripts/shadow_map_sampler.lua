@@ -2,6 +2,7 @@
 -- stored depth as TEXTURE_COMPARE_FUNC says, else 0. LEQUAL lights what is no farther than the map's
 -- depth; the other seven show what they answer.
 local draw_lit = require "parts.draw_lit"
+local map_limit = require "parts.map_limit"
 local map_pass = require "parts.map_pass"
 
 local recipe = {
@@ -20,6 +21,11 @@ local recipe = {
 
 function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene)
+end
+
+function recipe.limit(r)
+  local _, projection = shadow.light_view(r.params.light, r.scene)
+  return map_limit({ projection }, r.params.size)
 end
 
 function recipe.setup(r)

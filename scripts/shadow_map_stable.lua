@@ -5,6 +5,7 @@
 -- move seldom.
 local draw_lit = require "parts.draw_lit"
 local map_array = require "parts.map_array"
+local map_limit = require "parts.map_limit"
 local map_pass = require "parts.map_pass"
 
 local recipe = {
@@ -34,6 +35,22 @@ local function step(distance, toward)
   return 2 ^ (toward(2 * math.log(distance, 2)) / 2)
 end
 
+-- The maps, and the camera that they are of.
+function recipe.maps(r)
+  local camera = r.scene.camera:moved(r.scene.camera:view():row(1).xyz * r.params.aside)
+  local near, far = shadow.depth_present(camera)
+  return shadow.cascades(camera, r.params.light, r.params.count, {
+    lambda = r.params.lambda, stable = r.params.stable, size = r.params.size,
+    near = step(near, math.floor), far = step(far, math.ceil),
+  }), camera
+end
+
+function recipe.limit(r)
+  local projections = {}
+  for i, map in ipairs(recipe.maps(r)) do projections[i] = map.projection end
+  return map_limit(projections, r.params.size)
+end
+
 function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_cascades"
@@ -42,15 +59,8 @@ end
 
 function recipe.draw(r)
   local scene, light, size = r.scene, r.params.light, r.params.size
-  local view = scene.camera:view()
-  local camera = scene.camera:moved(view:row(1).xyz * r.params.aside)
-  view = camera:view()
-  local projection = camera:projection(r.width / r.height)
-  local near, far = shadow.depth_present(camera)
-  local maps = shadow.cascades(camera, light, r.params.count, {
-    lambda = r.params.lambda, stable = r.params.stable, size = size,
-    near = step(near, math.floor), far = step(far, math.ceil),
-  })
+  local maps, camera = recipe.maps(r)
+  local view, projection = camera:view(), camera:projection(r.width / r.height)
   local to_texture, from_eye = shadow.bias_matrix(), view:inverse()
   local matrices, ends = {}, {}
   local layers = map_array.layers_of(r, size, maps)

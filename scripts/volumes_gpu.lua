@@ -19,6 +19,8 @@ local recipe = {
   },
 }
 
+recipe.limit = scene_depth.limit
+
 function recipe.setup(r)
   r.phong = shader.load "phong"
   r.extrude = { vertex = shader.load "extrude_vertex", geometry = shader.load "extrude_geometry" }

@@ -14,6 +14,8 @@ local recipe = {
   params  = { light = param.point(2, 4, 1), darkness = param.number(0.25, 0, 1) },
 }
 
+recipe.limit = scene_depth.limit
+
 function recipe.setup(r)
   r.phong = shader.load "phong"
   r.volume = shader.load "volume"

@@ -53,6 +53,17 @@ struct PassTime {
   gl::Work work;            ///< what the pass gave GL to do
 };
 
+/// Where a pixel of a recipe's picture may take its shadow from, by what its technique rounds: the
+/// table that its function `limit` gives. Zero: from its own place alone.
+struct Limit {
+  double eye_units = 0;  ///< along the sight: steps of the 24-bit depth buffer
+  double across = 0;  ///< across the light's rays: metres a metre from a point light, else metres
+  double light_units = 0;  ///< toward the light: steps of the map's depth,
+  double light_near = 0;   ///< whose near plane this is (metres; 0: a light at infinity),
+  double light_range = 0;  ///< and for a light at infinity the range of depths, metres
+  double error = 0;        ///< of a soft visibility: the most that a pixel may be off
+};
+
 struct Options {
   lua::Limits limits;
   lua::PrintSink print;              ///< where print goes; nowhere if empty
@@ -106,6 +117,10 @@ class Recipe : private lua::PassListener {
   /// Whether the technique claims to be right for this camera and light: what the recipe's function
   /// `holds` says; true without one.
   bool holds();
+
+  /// How far its technique may depart from the truth for this camera and light, by its own account.
+  /// Throws InputError for a field that is none.
+  Limit limit();
 
   /// One frame at `time` seconds, into the main frame: GL's defaults, setup if it is the first,
   /// draw. Throws InputError where the recipe fails; the frame is then incomplete.

@@ -181,5 +181,27 @@ TEST_F(RecipeParameters, of_the_wrong_kind_in_the_table_are_named) {
   EXPECT_EQ(error(drawing("", "params = 7")), "F: params must be a table; it is a number");
 }
 
+// ---- what it says of itself
+
+TEST_F(RecipeParameters, bound_its_error_by_its_function_limit) {
+  const RecipeFile plain(drawing(""));
+  EXPECT_EQ(Recipe(graphics(), plain.path()).limit().across, 0);
+  const RecipeFile bounded(
+      "local recipe = { params = { size = param.integer(4, 1, 9) }, draw = print }\n"
+      "function recipe.limit(r) return { across = 1 / r.params.size, eye_units = 3 } end\n"
+      "return recipe");
+  Recipe recipe(graphics(), bounded.path());
+  EXPECT_EQ(recipe.limit().across, 0.25);
+  EXPECT_EQ(recipe.limit().eye_units, 3);
+  const RecipeFile wrong("return { limit = function() return { acros = 1 } end, draw = print }");
+  try {
+    Recipe(graphics(), wrong.path()).limit();
+    FAIL();
+  } catch (const InputError& problem) {
+    EXPECT_NE(std::string(problem.what()).find("limit gives no number \"acros\""),
+              std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace shadowlab::recipe

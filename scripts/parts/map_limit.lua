@@ -1,0 +1,24 @@
+-- What a map of `size` texels can tell, as a recipe's limit: a fragment may take its shadow from as far as its
+-- filter reads across the light's rays, from where a caster's plane is pushed back by as much of its slope,
+-- and no nearer along them than the map's 24 bits of depth tell. `projections` are the maps' own: the coarsest
+-- counts.
+--
+-- A light within its casters' bounds has its near plane at 1e-5 of the far one (shadow.light_view). A caster's
+-- triangle that passes the light is cut there, where 1 - near / z multiplies the rounding of z by thousands,
+-- and that goes on over all of the triangle: such a map tells no depths at all.
+return function(projections, size, filter)
+  local limit = { across = 0, light_units = 6, light_near = math.huge, light_range = 0 }
+  for _, projection in ipairs(projections) do
+    local texel, depth = shadow.map_bias(projection, size).texel, projection:row(3)
+    limit.across = math.max(limit.across, ((filter or 1) / 2 + 1) * math.sqrt(2) * texel)
+    if projection:row(4).w == 0 then
+      local near, far = depth.w / (depth.z - 1), depth.w / (depth.z + 1)
+      limit.light_near = math.min(limit.light_near, near)
+      if near < 2e-5 * far then limit.light_units = 1e9 end
+    else
+      limit.light_near = 0
+      limit.light_range = math.max(limit.light_range, -2 / depth.z)
+    end
+  end
+  return limit
+end
