@@ -92,8 +92,9 @@ Answer check(const CheckCommand& command) {
   const auto scenes = scenes_of(command);
 
   Answer answer = Answer::yes;
-  fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>9}  {}\n", "recipe", "scene",
-             "views", "outside", "pixels", "wrong", "beyond edge", "RMSE", "wrong views");
+  fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>13} {:>9}  {}\n", "recipe", "scene",
+             "views", "outside", "pixels", "wrong", "beyond edge", "beyond limit", "RMSE",
+             "wrong views");
   for (const auto& recipe : recipes) {
     for (const auto& scene : scenes) {
       measure::CheckOptions options;
@@ -108,9 +109,9 @@ Answer check(const CheckCommand& command) {
         options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
       }
       const auto row = measure::check(graphics, recipe, options);
-      fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>9.6f}  {}\n", row.recipe,
+      fmt::print("{:<24} {:<10} {:>6} {:>8} {:>11} {:>8} {:>12} {:>13} {:>9.6f}  {}\n", row.recipe,
                  row.scene, row.views, row.outside, row.pixels, row.wrong, row.wrong_beyond_edge,
-                 row.rmse, wrong_views(row));
+                 row.wrong_beyond_limit, row.rmse, wrong_views(row));
       std::fflush(stdout);
       if (row.wrong_beyond_edge > 0) answer = Answer::no;
       if (!command.pictures.empty())
@@ -166,7 +167,9 @@ void add_check(CLI::App& app, Answer& answer) {
   command->footer(
       "Columns: views compared, and those outside of the technique's conditions; pixels compared; "
       "wrong\n"
-      "ones; wrong ones farther than a pixel from a true edge; the RMSE of visibility. Ends with 1 "
+      "ones; wrong ones farther than a pixel from a true edge, and those of them that the recipe's "
+      "own limit\n(the rounding of its depths, its texels) does not explain; the RMSE of "
+      "visibility. Ends with 1 "
       "where a\n"
       "pixel beyond an edge is wrong.\n\nExample: shadowlab check volumes_zfail --scene room "
       "--views 100");

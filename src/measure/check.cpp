@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "measure/claim.h"
+#include "measure/limit.h"
 #include "measure/random.h"
 #include "truth/tracer.h"
 
@@ -27,6 +28,7 @@ scene::Bounds bounds_of(const scene::Scene& scene, bool casters_alone) {
 struct Pictures {
   image::FloatImage technique, truth, edges;
   std::size_t compared = 0;
+  std::size_t beyond_limit = 0;
 };
 
 class Comparer {
@@ -53,7 +55,7 @@ class Comparer {
     const int width = graphics_.width(), height = graphics_.height();
     scene::Light light;
     light.position = view.light;
-    Pictures pictures{visibility_of(graphics_.frame.read_color()), {}, {}, 0};
+    Pictures pictures{visibility_of(graphics_.frame.read_color()), {}, {}, 0, 0};
     if (claim_.radius) {
       light.shape = scene::Light::Shape::sphere;
       light.radius = *claim_.radius;
@@ -72,6 +74,7 @@ class Comparer {
         pictures.technique.values[i] = pictures.truth.values[i];
       }
     }
+    pictures.beyond_limit = beyond_limit(view, pictures, surfaces);
     return pictures;
   }
 
@@ -81,6 +84,24 @@ class Comparer {
     recipe_options.scene = options.scene;
     recipe_options.shading = recipe::Options::Shading::visibility;
     return recipe_options;
+  }
+
+  // The pixels that are wrong beyond an edge, and beyond what the recipe says of itself.
+  std::size_t beyond_limit(const View& view, const Pictures& pictures,
+                           const truth::SurfaceImage& surfaces) {
+    scene::Scene seen = scene_;
+    seen.camera = view.camera;
+    seen.lights.assign(1, {.position = view.light});
+    std::optional<Limits> limits;
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i) {
+      const float drawn = pictures.technique.values[i];
+      if (pictures.edges.values[i] > 0 || std::abs(drawn - pictures.truth.values[i]) <= 0.5f)
+        continue;
+      if (!limits) limits.emplace(seen, *tracer_, recipe_.limit(), graphics_.height());
+      beyond += !limits->allow(surfaces.surfaces[i], drawn > 0.5f);
+    }
+    return beyond;
   }
 
   gl::Graphics& graphics_;
@@ -138,6 +159,7 @@ CheckResult check(gl::Graphics& graphics, const std::filesystem::path& file,
     result.pixels += pictures->compared;
     result.wrong += row.wrong;
     result.wrong_beyond_edge += row.wrong_beyond_edge;
+    result.wrong_beyond_limit += pictures->beyond_limit;
     squares += row.rmse * row.rmse * static_cast<double>(row.pixels);
     if (row.wrong_beyond_edge > 0) result.wrong_views.emplace_back(index, row.wrong_beyond_edge);
   }

@@ -44,7 +44,8 @@ struct CheckResult {
   std::size_t pixels = 0;
   std::size_t wrong = 0;
   std::size_t wrong_beyond_edge = 0;
-  double rmse = 0;  ///< over the pixels of all views
+  std::size_t wrong_beyond_limit = 0;  ///< of those, what the recipe's own `limit` does not explain
+  double rmse = 0;                     ///< over the pixels of all views
   /// The views with wrong pixels beyond an edge, and how many: the worst first.
   std::vector<std::pair<int, std::size_t>> wrong_views;
 };

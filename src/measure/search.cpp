@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "measure/claim.h"
+#include "measure/limit.h"
 #include "truth/comparison.h"
 
 namespace shadowlab::measure {
@@ -16,21 +19,7 @@ namespace {
 // technique decides as it likes, and Lambert's cosine is 0: nobody sees which.
 bool grazed(const truth::Surface& surface, glm::dvec4 light) {
   const glm::dvec3 toward = glm::dvec3(light) - surface.point * light.w;
-  return std::abs(glm::dot(surface.normal, glm::normalize(toward))) < 1e-6;
-}
-
-// Whether the trial departs, and how.
-bool departs(gl::Graphics& graphics, const std::filesystem::path& recipe, const Trial& trial,
-             Departure& how) {
-  try {
-    const auto wrong = wrong_beyond_edge(graphics, recipe, trial);
-    how.beyond_edge = wrong.value_or(0);
-    how.error.clear();
-    return how.beyond_edge > 0;
-  } catch (const InputError& problem) {
-    how.error = problem.what();
-    return true;
-  }
+  return !(std::abs(glm::dot(surface.normal, glm::normalize(toward))) >= 1e-6);
 }
 
 recipe::Options drawing_visibility() {
@@ -39,34 +28,128 @@ recipe::Options drawing_visibility() {
   return options;
 }
 
-}  // namespace
-
-std::optional<std::size_t> wrong_beyond_edge(gl::Graphics& graphics,
-                                             const std::filesystem::path& file,
-                                             const Trial& trial) {
-  recipe::Recipe recipe(graphics, file, drawing_visibility());
-  const scene::Scene scene = scene_of(trial);
+void set_up(recipe::Recipe& recipe, const Searched& searched, const Trial& trial,
+            const scene::Scene& scene) {
+  for (const auto& [name, value] : searched.settings) recipe.set(name, value);
+  for (const recipe::Swept& swept : recipe.description().sweep) {
+    if (!trial.swept) break;
+    const auto at =
+        static_cast<std::size_t>(*trial.swept * static_cast<double>(swept.values.size()));
+    recipe.set(swept.name, swept.values[std::min(at, swept.values.size() - 1)]);
+  }
   recipe.set_light(scene.lights[0].position);
   recipe.set_scene(scene);
+}
+
+// Contexts by picture size: programs are compiled once for all trials of a size.
+class Screens {
+ public:
+  gl::Graphics& of(const Trial& trial) {
+    auto& graphics = screens_[{trial.width, trial.height}];
+    if (!graphics)
+      graphics = std::make_unique<gl::Graphics>(context::create(), trial.width, trial.height);
+    graphics->context().make_current();
+    return *graphics;
+  }
+
+ private:
+  std::map<std::pair<int, int>, std::unique_ptr<gl::Graphics>> screens_;
+};
+
+enum class Outcome { outside, right, wrong, fails };
+
+Outcome outcome_of(Screens& screens, const Searched& recipe, const Trial& trial, Departure& how) {
+  try {
+    const auto wrong = wrong_beyond_limit(screens.of(trial), recipe, trial);
+    how.beyond_edge = wrong.value_or(0);
+    how.error.clear();
+    if (!wrong) return Outcome::outside;
+    return *wrong > 0 ? Outcome::wrong : Outcome::right;
+  } catch (const InputError& problem) {
+    how.error = problem.what();
+    return Outcome::fails;
+  }
+}
+
+}  // namespace
+
+std::string Searched::name() const {
+  std::string name = file.stem().string();
+  for (const auto& [parameter, value] : settings) name += fmt::format(" {}={}", parameter, value);
+  return name;
+}
+
+namespace {
+
+// Hard shadows: what is on the wrong side, beyond edges and the limit.
+std::size_t wrong_hard(const scene::Scene& scene, const truth::Tracer& tracer,
+                       const recipe::Limit& limit, const image::FloatImage& drawn,
+                       const image::FloatImage& truth, const truth::SurfaceImage& surfaces) {
+  // Edges cost sixteen times the truth, so that they are looked for where something is wrong alone.
+  image::FloatImage edges = truth;
+  std::fill(edges.values.begin(), edges.values.end(), 0.0f);
+  if (truth::compare(drawn, truth, edges).wrong == 0) return 0;
+  edges = tracer.edge_mask(scene.camera, scene.lights[0], drawn.width, drawn.height);
+  const Limits limits(scene, tracer, limit, drawn.height);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < drawn.values.size(); ++i) {
+    if (edges.values[i] > 0 || std::abs(drawn.values[i] - truth.values[i]) <= 0.5f) continue;
+    wrong += !limits.allow(surfaces.surfaces[i], drawn.values[i] > 0.5f);
+  }
+  return wrong;
+}
+
+// Soft ones: what is off by more than the limit's error from all that the truth is within a pixel.
+std::size_t wrong_soft(const recipe::Limit& limit, const image::FloatImage& drawn,
+                       const image::FloatImage& truth) {
+  std::size_t wrong = 0;
+  for (int y = 0; y < drawn.height; ++y) {
+    for (int x = 0; x < drawn.width; ++x) {
+      const auto at = [&](int u, int v) {
+        return static_cast<std::size_t>(v) * static_cast<std::size_t>(drawn.width) +
+               static_cast<std::size_t>(u);
+      };
+      float low = 1, high = 0;
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, drawn.height - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, drawn.width - 1); ++u) {
+          low = std::min(low, truth.values[at(u, v)]);
+          high = std::max(high, truth.values[at(u, v)]);
+        }
+      }
+      const double value = drawn.values[at(x, y)];
+      wrong += value < low - limit.error || value > high + limit.error;
+    }
+  }
+  return wrong;
+}
+
+}  // namespace
+
+std::optional<std::size_t> wrong_beyond_limit(gl::Graphics& graphics, const Searched& searched,
+                                              const Trial& trial) {
+  recipe::Recipe recipe(graphics, searched.file, drawing_visibility());
+  scene::Scene scene = scene_of(trial);
+  set_up(recipe, searched, trial, scene);
   if (!recipe.holds()) return {};
   recipe.draw();
   const int width = graphics.width(), height = graphics.height();
   image::FloatImage drawn = visibility_of(graphics.frame.read_color());
   const truth::Tracer tracer(scene);
-  const Claim claim = claim_of(recipe, file);
-  const auto truth = tracer.visibility(scene.camera, scene.lights[0], width, height);
+  const Claim claim = claim_of(recipe, searched.file);
+  scene::Light& light = scene.lights[0];
+  if (claim.soft() && light.position.w != 0) {
+    light.shape = scene::Light::Shape::sphere;
+    light.radius = *claim.radius;
+  }
+  const auto truth = tracer.visibility(scene.camera, light, width, height);
   const auto surfaces = tracer.surfaces(scene.camera, width, height);
   for (std::size_t i = 0; i < drawn.values.size(); ++i) {
     const truth::Surface& surface = surfaces.surfaces[i];
-    if (!claim.covers(scene, surface) || grazed(surface, scene.lights[0].position))
+    if (!claim.covers(scene, surface) || grazed(surface, light.position))
       drawn.values[i] = truth.values[i];
   }
-  // Edges cost sixteen times the truth, so that they are looked for where something is wrong alone.
-  image::FloatImage none = truth;
-  std::fill(none.values.begin(), none.values.end(), 0.0f);
-  if (truth::compare(drawn, truth, none).wrong == 0) return 0;
-  const auto edges = tracer.edge_mask(scene.camera, scene.lights[0], width, height);
-  return truth::compare(drawn, truth, edges).wrong_beyond_edge;
+  if (claim.soft()) return wrong_soft(recipe.limit(), drawn, truth);
+  return wrong_hard(scene, tracer, recipe.limit(), drawn, truth, surfaces);
 }
 
 Trial shrunk(Trial trial, const std::function<bool(const Trial&)>& departs, int most) {
@@ -83,28 +166,35 @@ Trial shrunk(Trial trial, const std::function<bool(const Trial&)>& departs, int 
   return trial;
 }
 
-std::vector<Departure> search(gl::Graphics& graphics, const SearchOptions& options,
-                              const std::function<void(const Progress&)>& progress,
-                              const std::function<void(const Departure&)>& found) {
-  std::vector<Departure> all;
-  for (std::uint64_t i = 0; i < options.trials; ++i) {
-    const std::uint64_t index = options.first + i;
+SearchResult search(const SearchOptions& options,
+                    const std::function<void(const Progress&)>& progress,
+                    const std::function<void(const Departure&)>& found) {
+  Screens screens;
+  SearchResult result;
+  const double began = now_ms();
+  for (; result.trials < options.trials; ++result.trials) {
+    if (now_ms() - began > 1000 * options.most_seconds) break;
+    const std::uint64_t index = options.first + result.trials;
     const Trial trial = trial_of(options.seed, index);
-    if (progress) progress({i, options.trials, fmt::format("{} departures", all.size())});
+    if (progress) {
+      progress(
+          {result.trials, options.trials, fmt::format("{} departures", result.departures.size())});
+    }
     for (const auto& recipe : options.recipes) {
-      Departure departure{recipe.stem().string(), index, trial, 0, ""};
-      if (!departs(graphics, recipe, trial, departure)) continue;
-      const bool fails = !departure.error.empty();
+      Departure departure{recipe.name(), index, trial, 0, ""};
+      const Outcome outcome = outcome_of(screens, recipe, trial, departure);
+      result.pictures += outcome != Outcome::outside;
+      if (outcome == Outcome::outside || outcome == Outcome::right) continue;
       departure.trial = shrunk(trial, [&](const Trial& next) {
         Departure how{};
-        return departs(graphics, recipe, next, how) && !how.error.empty() == fails;
+        return outcome_of(screens, recipe, next, how) == outcome;
       });
-      departs(graphics, recipe, departure.trial, departure);
+      outcome_of(screens, recipe, departure.trial, departure);
       if (found) found(departure);
-      all.push_back(std::move(departure));
+      result.departures.push_back(std::move(departure));
     }
   }
-  return all;
+  return result;
 }
 
 }  // namespace shadowlab::measure

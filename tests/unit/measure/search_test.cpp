@@ -66,12 +66,11 @@ TEST(Search, finds_the_shadow_that_a_recipe_does_not_draw_and_makes_it_simple) {
                               projection = r.scene.camera:projection(r.width / r.height) })
     end
     return recipe)lua";
-  gl::Graphics graphics(context::create(), 32, 32);
   SearchOptions options;
-  options.recipes = {file};
+  options.recipes = {{file, {}}};
   options.trials = 2;
   std::size_t told = 0;
-  const auto found = search(graphics, options, {}, [&](const Departure&) { ++told; });
+  const auto found = search(options, {}, [&](const Departure&) { ++told; }).departures;
   EXPECT_EQ(told, found.size());
   ASSERT_GT(found.size(), 0u);
   EXPECT_EQ(found[0].trial.casters.size(), 1u);

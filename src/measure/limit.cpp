@@ -1,0 +1,275 @@
+#include "measure/limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace shadowlab::measure {
+namespace {
+
+glm::dvec3 across(glm::dvec3 direction) {
+  const glm::dvec3 size = glm::abs(direction);
+  const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
+                          : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
+                                                               : glm::dvec3(0, 0, 1);
+  return glm::normalize(glm::cross(direction, axis));
+}
+
+// A picture of one pixel, whose only ray goes from `from` to `to`.
+scene::Camera ray_camera(glm::dvec3 from, glm::dvec3 to, double near, double far) {
+  scene::Camera camera;
+  camera.eye = from;
+  camera.target = to;
+  camera.up = across(to - from);
+  camera.fovy = 1;
+  camera.near = near;
+  camera.far = far;
+  return camera;
+}
+
+// The step of a 24-bit depth buffer at distance z, near plane n: the derivative of window depth
+// n (1/n - 1/z) is n/z².
+double depth_step(double z, double near) { return z * z / (near * 0x1p24); }
+
+struct Edge {
+  glm::dvec3 a, b;
+};
+
+// The nearest points of two segments, as parameters of each (Ericson, Real-Time Collision
+// Detection, 5.1.9).
+glm::dvec2 nearest(const Edge& p, const Edge& q) {
+  const glm::dvec3 d1 = p.b - p.a, d2 = q.b - q.a, r = p.a - q.a;
+  const double a = glm::dot(d1, d1), e = glm::dot(d2, d2), f = glm::dot(d2, r);
+  if (a == 0 || e == 0) return {0, e == 0 ? 0 : std::clamp(f / e, 0.0, 1.0)};
+  const double c = glm::dot(d1, r), b = glm::dot(d1, d2), denominator = a * e - b * b;
+  double s = denominator > 0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0;
+  double t = (b * s + f) / e;
+  if (t < 0 || t > 1) {
+    t = std::clamp(t, 0.0, 1.0);
+    s = std::clamp((b * t - c) / a, 0.0, 1.0);
+  }
+  return {s, t};
+}
+
+scene::Scene casters_of(const scene::Scene& scene) {
+  scene::Scene casters;
+  for (const scene::Object& object : scene.objects) {
+    if (object.casts()) casters.objects.push_back(object);
+  }
+  return casters;
+}
+
+std::vector<Edge> edges_of(const scene::Scene& casters) {
+  std::vector<Edge> edges;
+  for (const scene::Object& object : casters.objects) {
+    const scene::Mesh& mesh = *object.mesh;
+    const auto corner = [&](std::size_t i) {
+      return glm::dvec3(object.model * glm::dvec4(mesh.positions[mesh.indices[i]], 1));
+    };
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i)
+        edges.push_back({corner(3 * t + i), corner(3 * t + (i + 1) % 3)});
+    }
+  }
+  return edges;
+}
+
+}  // namespace
+
+struct Limits::Parts {
+  const scene::Scene& scene;
+  const truth::Tracer& tracer;
+  recipe::Limit limit;
+  int rows;  ///< of pixels
+  scene::Scene caster_scene = casters_of(scene);
+  truth::Tracer casters{caster_scene};
+  std::vector<Edge> edges = edges_of(caster_scene);
+  double radius = 0;          ///< of the whole scene
+  double light_rounding = 0;  ///< of the light's place, metres, as a caster's own floats have it
+
+  glm::dvec4 light() const { return scene.lights[0].position; }
+
+  void measure() {
+    scene::Bounds all;
+    for (const scene::Object& object : scene.objects)
+      all = merge(all, scene::bounds(*object.mesh, object.model));
+    radius = all.radius();
+    double least = 1e300;
+    for (const scene::Object& object : caster_scene.objects) {
+      const scene::Bounds own = scene::bounds(*object.mesh, object.model);
+      least = std::min(least, own.radius() + glm::distance(own.center(), glm::dvec3(light())));
+    }
+    // FacingPlanes::beside moves it by 2^-17 and less.
+    light_rounding = light().w == 0 ? 0 : 0x1p-17 * least;
+  }
+};
+
+namespace {
+
+// The places that one pixel may have been taken for.
+class Places {
+ public:
+  template <class Parts>
+  Places(const Parts& parts, const truth::Surface& surface, bool lit)
+      : scene_(parts.scene),
+        tracer_(parts.tracer),
+        casters_(parts.casters),
+        edges_(parts.edges),
+        limit_(parts.limit),
+        radius_(parts.radius),
+        light_rounding_(parts.light_rounding),
+        light_(parts.light()),
+        rows_(parts.rows),
+        at_(surface),
+        lit_(lit) {
+    const glm::dvec3 position(light_);
+    away_ = light_.w == 0 ? 1.0 : glm::distance(position, at_.point);
+    toward_ = light_.w == 0 ? glm::normalize(position) : (position - at_.point) / away_;
+  }
+
+  bool any() const {
+    return hidden_behind() || beside_a_sliver() || from_beside_the_light() || along_the_sight() ||
+           across_the_light() || under_the_offset();
+  }
+
+ private:
+  bool is_drawn(glm::dvec3 place) const { return tracer_.blocked(place, light_) != lit_; }
+
+  // Surfaces that follow this one within the depth buffer's step: each drawn pixel's depth is
+  // rounded, and interpolated with as much error again; and what is counted against is moved on
+  // purpose.
+  bool hidden_behind() const {
+    const scene::Camera& camera = scene_.camera;
+    const double distance = glm::distance(camera.eye, at_.point);
+    const double reach =
+        (4 + limit_.eye_units) * depth_step(at_.depth, camera.near) * distance / at_.depth;
+    double near = distance * (1 + 1e-12);
+    for (int i = 0; i < 4 && near > 0 && near < distance + reach; ++i) {
+      const auto ray = ray_camera(camera.eye, at_.point, near, distance + reach);
+      const truth::Surface next = tracer_.surfaces(ray, 1, 1).surfaces[0];
+      if (!next.hit()) return false;
+      if ((tracer_.visibility(ray, scene_.lights[0], 1, 1, {}, 1).values[0] > 0.5f) == lit_)
+        return true;
+      near = next.depth * (1 + 1e-12);
+    }
+    return false;
+  }
+
+  bool from_beside_the_light() const {
+    if (light_rounding_ == 0) return false;
+    const scene::Camera& camera = scene_.camera;
+    const double distance = glm::distance(camera.eye, at_.point);
+    const auto ray = ray_camera(camera.eye, at_.point, distance * (1 - 1e-12), 2 * distance);
+    for (int i = 0; i < 24; ++i) {
+      scene::Light light = scene_.lights[0];
+      const double step = std::ldexp(light_rounding_, -(i / 6));
+      light.position[i % 3] += i % 6 < 3 ? step : -step;
+      if ((tracer_.visibility(ray, light, 1, 1, {}, 1).values[0] > 0.5f) == lit_) return true;
+    }
+    return false;
+  }
+
+  // Late, and early where that cannot be a caster's shadow on itself.
+  bool along_the_sight() const {
+    if (limit_.eye_units == 0) return false;
+    const scene::Camera& camera = scene_.camera;
+    const double distance = glm::distance(camera.eye, at_.point);
+    const glm::dvec3 back = (camera.eye - at_.point) / distance;
+    const double reach = std::min(
+        limit_.eye_units * depth_step(at_.depth, camera.near) * distance / at_.depth, distance);
+    for (double part = 1; part > 1e-3; part /= 2) {
+      if (is_drawn(at_.point + back * (part * reach))) return true;
+      if (!scene_.objects[at_.object].casts() && is_drawn(at_.point - back * (part * reach)))
+        return true;
+    }
+    return false;
+  }
+
+  // Of the edges of casters, whether one passes the segment within `share` of the distance from the
+  // segment's end, or within `least` metres.
+  bool passes(const Edge& segment, double share, double least) const {
+    const double length = glm::distance(segment.a, segment.b);
+    return std::ranges::any_of(edges_, [&](const Edge& edge) {
+      const glm::dvec2 at = nearest(segment, edge);
+      const double apart =
+          glm::distance(glm::mix(segment.a, segment.b, at.x), glm::mix(edge.a, edge.b, at.y));
+      return apart <= std::max(least, share * (1 - at.x) * length);
+    });
+  }
+
+  // A rasterizer moves corners by 1/256 of a pixel: what is narrower than that (and than the
+  // lattice on which edges are looked for) may come and go.
+  bool beside_a_sliver() const {
+    const scene::Camera& camera = scene_.camera;
+    const double pixel = 2 * std::tan(glm::radians(camera.fovy) / 2) / rows_, snapped = pixel / 128;
+    const glm::dvec3 sight = at_.point - camera.eye;
+    const double stretch =
+        1 / std::max(1e-3, std::abs(glm::dot(glm::normalize(sight), at_.normal)));
+    return passes({at_.point, camera.eye}, snapped, 0) ||
+           passes(ray(), 0, snapped * at_.depth * stretch);
+  }
+
+  Edge ray() const {
+    return {at_.point, light_.w == 0 ? at_.point + toward_ * (4 * radius_) : glm::dvec3(light_)};
+  }
+
+  bool across_the_light() const {
+    return limit_.across > 0 &&
+           (light_.w == 0 ? passes(ray(), 0, limit_.across) : passes(ray(), limit_.across, 0));
+  }
+
+  // The caster nearest to the light before the surface.
+  truth::Surface first_before() const {
+    if (light_.w != 0) {
+      return casters_.surfaces(ray_camera(glm::dvec3(light_), at_.point, 1e-9 * away_, away_), 1, 1)
+          .surfaces[0];
+    }
+    const double far = 4 * radius_;
+    return casters_
+        .surfaces(ray_camera(at_.point + toward_ * far, at_.point, 1e-9 * far, far), 1, 1)
+        .surfaces[0];
+  }
+
+  // A place in the dark is lit where what hides it from the light was pushed past it.
+  bool under_the_offset() const {
+    if (!lit_ || (limit_.across == 0 && limit_.light_units == 0)) return false;
+    const truth::Surface first = first_before();
+    if (!first.hit()) return true;  // edge on, or the surface itself
+    const double cosine = std::abs(glm::dot(first.normal, toward_));
+    const double slope = std::sqrt(std::max(0.0, 1 - cosine * cosine)) / std::max(cosine, 1e-12);
+    const double offset =
+        2 * limit_.across * away_ * slope +
+        limit_.light_units *
+            (light_.w == 0 ? 0x1p-24 * limit_.light_range : depth_step(away_, limit_.light_near));
+    return glm::dot(first.point - at_.point, toward_) <= offset;
+  }
+
+  const scene::Scene& scene_;
+  const truth::Tracer& tracer_;
+  const truth::Tracer& casters_;
+  const std::vector<Edge>& edges_;
+  const recipe::Limit& limit_;
+  double radius_, light_rounding_;
+  glm::dvec4 light_;
+  int rows_;
+  const truth::Surface& at_;
+  bool lit_;
+  glm::dvec3 toward_{0};
+  double away_ = 1;  ///< metres to the light; 1 to one at infinity: what limit.across is a part of
+};
+
+}  // namespace
+
+Limits::Limits(const scene::Scene& scene, const truth::Tracer& tracer, const recipe::Limit& limit,
+               int rows)
+    : parts_(std::make_unique<Parts>(Parts{scene, tracer, limit, rows})) {
+  parts_->measure();
+}
+
+Limits::~Limits() = default;
+
+bool Limits::allow(const truth::Surface& surface, bool lit) const {
+  return Places(*parts_, surface, lit).any();
+}
+
+}  // namespace shadowlab::measure

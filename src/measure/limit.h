@@ -1,0 +1,43 @@
+// How far a technique may depart from the truth, and whether a pixel departs farther.
+//
+// A limit is of places, not of brightness: a pixel is within it where the truth of some place that
+// the technique may have taken for the pixel's own is what it drew.
+#pragma once
+
+#include <memory>
+
+#include "recipe/recipe.h"
+#include "truth/tracer.h"
+
+namespace shadowlab::measure {
+
+/// What the techniques may do in one scene, under its first light. Keeps a reference to both.
+class Limits {
+ public:
+  /// `rows` of pixels are in the picture.
+  Limits(const scene::Scene& scene, const truth::Tracer& tracer, const recipe::Limit& limit,
+         int rows);
+  ~Limits();
+
+  /// Whether `lit` can be rightly drawn at a surface of the scene's own view whose truth is the
+  /// opposite:
+  ///  - another surface is so near behind this one that the depth buffer cannot tell them apart,
+  ///  and
+  ///    is what was drawn;
+  ///  - an edge of a caster is within 1/128 of a pixel, as the eye or as the light sees it;
+  ///  - the light is so near to a surface that a float does not tell which side it is on;
+  ///  - along the sight, by the error of the depth that the technique counts against: toward the
+  ///  eye,
+  ///    and on receivers away from it;
+  ///  - across the light's rays, where an edge of a caster is within a map's texels and filter;
+  ///  - toward the light, by the offset that keeps a map's surfaces from shadowing themselves,
+  ///  which
+  ///    grows with the slope of the caster.
+  bool allow(const truth::Surface& surface, bool lit) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace shadowlab::measure
