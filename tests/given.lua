@@ -2,13 +2,14 @@
 -- test's folder has scenes/given.lua, which returns the one in hand.
 local given = { size = 96 }
 
--- A world's picture by a recipe of scripts/; `light` is a vec4.
-function given.draw(recipe, world, light)
+-- A world's picture by a recipe of scripts/; `light` is a vec4, `params` what else the recipe takes.
+function given.draw(recipe, world, light, params)
   given.world = world
   local listing = require(recipe)
   return frame(given.size, given.size, function(r)
     r.scene = scene.load "given"
     r.params = { light = light, darkness = 0.25, radius = 0, samples = 1 }
+    for name, value in pairs(params or {}) do r.params[name] = value end
     listing.setup(r)
     listing.draw(r)
   end)

@@ -346,7 +346,7 @@ row{ case = 19, title = "Splits at λ = 0 and 1, near = far/1e6", expected = "th
      without = "right too: the formula itself is finite" }
 row{ case = 20, title = "A cube's edges and corners", expected = "visibility is continuous across all 12 edges and 8 corners",
      facts = { "visibility_is_continuous_across_all_edges_and_corners_of_a_cube" },
-     without = "not shown: without seamless cube maps only a filter fails there" }
+     without = "right too, by the nearest texel; a filter needs seamless cube maps" }
 row{ case = 21, title = "Outside of the map, and behind the light", expected = "lit, never shadowed by a border or a negative w",
      facts = { "what_is_outside_of_the_map_or_behind_the_light_is_lit" },
-     without = "not shown: the lesson's listing sets the border too" }
+     without = "right too: it sets the border; and the rim of a map that holds its casters is lit" }
