@@ -10,6 +10,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/version.h"
+#include "measure/markdown.h"
 #include "measure/page.h"
 #include "measure/sweep.h"
 #include "measure/table.h"
@@ -24,7 +25,7 @@ struct MeasureCommand {
   std::string folder = "measure";
   std::string size;
   std::string context = "automatic";
-  bool quick = false, fresh = false;
+  bool quick = false, fresh = false, table = false;
   int rounds = 0;
   double radius = measure::SweepOptions{}.radius;
   double bar = measure::SweepOptions{}.bar;
@@ -109,6 +110,10 @@ Answer run(const MeasureCommand& command) {
   write_text(folder / "measure.csv", measure::csv_of(report));
   write_text(folder / "measure.schema.json", measure::page_file("measure.schema.json"));
   write_text(folder / "report.html", measure::measure_page(report, folder));
+  if (command.table) {
+    fmt::print("{}", measure::markdown_of(report));
+    return Answer::yes;
+  }
   const auto& points = report.at("points");
   const auto left_out = std::count_if(points.begin(), points.end(),
                                       [](const auto& point) { return point.contains("left_out"); });
@@ -140,6 +145,9 @@ void add_measure(CLI::App& app, Answer& answer) {
       "--quick", options->quick,
       "In a minute or so: two scenes, smaller pictures, the first three values of each sweep");
   command->add_flag("--fresh", options->fresh, "Begin again, whatever DIR holds of an earlier run");
+  command->add_flag(
+      "--table", options->table,
+      "Print the report's figures as Markdown tables; at once, of a run that DIR has whole");
   command->add_option("--size", options->size, "Picture size in pixels; 256x256, quick 128x128")
       ->type_name("WxH");
   command->add_option("--rounds", options->rounds, "Rounds of frames; 3, quick 2")

@@ -69,6 +69,27 @@ TEST_F(Measure, goes_on_where_it_was_interrupted) {
   EXPECT_EQ(keys.size(), again.size());
 }
 
+TEST_F(Measure, prints_its_figures_as_tables_of_a_run_that_is_there) {
+  ASSERT_EQ(run(small).code, 0);
+  const auto before = journal();
+  const Ended ended = run(std::string(small) + " --table");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(journal(), before) << "measured again";
+  for (const char* part :
+       {"| tetra, hard | `shadow_map_cube`", "| tetra, soft | `soft_accumulated`", "| time over |",
+        "| `shadow_map_cube` |", "| million rays/s |"})
+    EXPECT_THAT(ended.out, HasSubstr(part));
+  // Each row has as many cells as the head of its table.
+  std::istringstream lines(ended.out);
+  std::ptrdiff_t cells = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const auto bars = std::count(line.begin(), line.end(), '|');
+    if (bars == 0) cells = 0;
+    if (bars > 0 && cells == 0) cells = bars;
+    EXPECT_EQ(bars, cells) << line;
+  }
+}
+
 TEST_F(Measure, refuses_to_mix_two_measurements) {
   ASSERT_EQ(run(small).code, 0);
   const std::string other = std::string(small) + " --radius 0.3";
