@@ -1,7 +1,8 @@
 -- The six steps of the lecture: what is seen is in shadow where the eye's ray has entered more volumes
 -- than it has left. Counted from the near plane on, so it is right only while no part of the near
 -- plane is in shadow itself, and no more volumes than 7 bits count hold a point: `holds` says whether,
--- and the recipe prints it when it is not.
+-- and the recipe prints it when it is not. A side so thin that rounding turns it round may be culled from both
+-- draws, or from none, and then a pixel of it is a streak: volumes_two_sided has one draw for both.
 local batches_of = require "parts.batches"
 local own_shadow = require "parts.own_shadow"
 local scene_depth = require "parts.scene_depth"
