@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <random>
@@ -67,13 +68,43 @@ void rays_per_second(benchmark::State& state, std::size_t rays) {
       benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void embree(benchmark::State& state) {
-  const Setting& here = setting(static_cast<int>(state.range(0)));
-  RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  for (const scene::Object& object : here.scene.objects) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+// The same triangles in a scene of Embree's own.
+class EmbreeScene {
+ public:
+  explicit EmbreeScene(const scene::Scene& of) {
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    for (const scene::Object& object : of.objects) add(object);
+    rtcCommitScene(scene_);
+  }
+  ~EmbreeScene() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  int blocked(const std::vector<glm::dvec3>& points) const {
+    int blocked = 0;
+    for (const glm::dvec3& p : points) {
+      const glm::dvec3 toward = kLight - p;
+      RTCIntersectContext context;
+      rtcInitIntersectContext(&context);
+      RTCRay ray{};
+      ray.org_x = static_cast<float>(p.x), ray.dir_x = static_cast<float>(toward.x);
+      ray.org_y = static_cast<float>(p.y), ray.dir_y = static_cast<float>(toward.y);
+      ray.org_z = static_cast<float>(p.z), ray.dir_z = static_cast<float>(toward.z);
+      ray.tnear = 1e-4f;  // the offset that it needs
+      ray.tfar = 1;
+      ray.mask = 0xFFFFFFFFu;
+      rtcOccluded1(scene_, &context, &ray);
+      blocked += ray.tfar < 0;
+    }
+    return blocked;
+  }
+
+ private:
+  void add(const scene::Object& object) {
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<glm::vec3*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(glm::vec3), object.mesh->positions.size()));
@@ -85,43 +116,49 @@ void embree(benchmark::State& state) {
                                 3 * sizeof(std::uint32_t), object.mesh->triangle_count());
     std::ranges::copy(object.mesh->indices, static_cast<std::uint32_t*>(indices));
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
   }
-  rtcCommitScene(scene);
-  for (auto _ : state) {
-    int blocked = 0;
-    for (const glm::dvec3& p : here.points) {
-      const glm::dvec3 toward = kLight - p;
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      RTCRay ray{};
-      ray.org_x = static_cast<float>(p.x), ray.dir_x = static_cast<float>(toward.x);
-      ray.org_y = static_cast<float>(p.y), ray.dir_y = static_cast<float>(toward.y);
-      ray.org_z = static_cast<float>(p.z), ray.dir_z = static_cast<float>(toward.z);
-      ray.tnear = 1e-4f;  // the offset that it needs
-      ray.tfar = 1;
-      ray.mask = 0xFFFFFFFFu;
-      rtcOccluded1(scene, &context, &ray);
-      blocked += ray.tfar < 0;
-    }
-    benchmark::DoNotOptimize(blocked);
+
+  RTCDevice device_ = rtcNewDevice(nullptr);
+  RTCScene scene_ = rtcNewScene(device_);
+};
+
+int blocked_exactly(const Setting& here) {
+  int blocked = 0;
+  for (const glm::dvec3& p : here.points) {
+    blocked += here.tracer.blocked(p, glm::dvec4(kLight, 1));
   }
+  return blocked;
+}
+
+void embree(benchmark::State& state) {
+  const Setting& here = setting(static_cast<int>(state.range(0)));
+  const EmbreeScene scene(here.scene);
+  for (auto _ : state) benchmark::DoNotOptimize(scene.blocked(here.points));
   rays_per_second(state, here.points.size());
-  rtcReleaseScene(scene);
-  rtcReleaseDevice(device);
 }
 
 void exact(benchmark::State& state) {
   const Setting& here = setting(static_cast<int>(state.range(0)));
-  for (auto _ : state) {
-    int blocked = 0;
-    for (const glm::dvec3& p : here.points) {
-      blocked += here.tracer.blocked(p, glm::dvec4(kLight, 1));
-    }
-    benchmark::DoNotOptimize(blocked);
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(blocked_exactly(here));
   rays_per_second(state, here.points.size());
+}
+
+// Both in turns: the tracer's rays a second over Embree's, by processor time.
+void exact_over_embree(benchmark::State& state) {
+  const Setting& here = setting(static_cast<int>(state.range(0)));
+  const EmbreeScene scene(here.scene);
+  std::clock_t theirs = 0, ours = 0;
+  for (auto _ : state) {
+    const std::clock_t begin = std::clock();
+    benchmark::DoNotOptimize(scene.blocked(here.points));
+    const std::clock_t middle = std::clock();
+    benchmark::DoNotOptimize(blocked_exactly(here));
+    theirs += middle - begin;
+    ours += std::clock() - middle;
+  }
+  state.counters["ratio"] = static_cast<double>(theirs) / static_cast<double>(ours);
 }
 
 void hard_picture(benchmark::State& state) {
@@ -170,6 +207,7 @@ void building(benchmark::State& state) {
 
 BENCHMARK(embree)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(exact)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(exact_over_embree)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(hard_picture)->Arg(1'000)->Arg(100'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(soft_picture)->Arg(32)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(edge_mask)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond)->UseRealTime();
