@@ -33,7 +33,7 @@ glm::dmat4 caster_model(lua_State* L, int index, const char* function) {
 
 glm::dvec4 light_as_drawn(const VolumeSource& source, const glm::dmat4& model,
                           const scene::Light& light) {
-  const glm::dvec4 there = shadow::light_in_model_space(model, light.position);
+  const glm::dvec4 there(glm::vec4(shadow::light_in_model_space(model, light.position)));
   return glm::dvec4(glm::vec4(source.builder.facing().beside(there)));
 }
 

@@ -180,6 +180,10 @@ std::optional<glm::dvec3> FacingPlanes::beside(std::size_t t, glm::dvec3 p) cons
   const glm::dvec3 n = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
   const double height = glm::dot(n, p - corners[0]), least = on_triangle * radius_;
   if (!(std::abs(height) < least)) return {};
+  // Exactly in its plane the light sees it edge on: it throws nothing, and nothing is lost.
+  const auto& [a, b, c] = triangles_[t];
+  if (scene::plane_side(positions_[a], positions_[b], positions_[c], glm::dvec4(p, 1)) == 0)
+    return {};
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3 edge = corners[(i + 1) % 3] - corners[i];
     if (glm::dot(glm::cross(n, edge), p - corners[i]) < -least * glm::length(edge)) return {};

@@ -37,9 +37,10 @@ class FacingPlanes {
   void signs(glm::dvec4 light, std::size_t first, std::span<std::int8_t> out) const;
 
   /// `light` (normalized), moved off the triangles that it lies on: to 2^-17 of the mesh's radius
-  /// from them, toward the side that it is on, or their front. Nearer, floats do not tell the three
-  /// directions to such a triangle's corners from directions in one plane, so that its shadow, half
-  /// of all there is, is lost. Costs nothing where the light is outside of the mesh's ball.
+  /// from them, toward the side that it is on; but not off one whose plane it is in exactly.
+  /// Nearer, floats do not tell the three directions to such a triangle's corners from directions
+  /// in one plane, so that its shadow, half of all there is, is lost. Costs nothing where the light
+  /// is outside of the mesh's ball.
   glm::dvec4 beside(glm::dvec4 light) const;
 
   /// A light in the planes' units, rounded: plane(i)·light is over `bound` where triangle i faces
