@@ -185,8 +185,16 @@ void Recipe::push_context(double time) {
   lua_setfield(L, -2, "width");
   lua_pushinteger(L, graphics_.height());
   lua_setfield(L, -2, "height");
-  lua_pushnumber(L, time);
-  lua_setfield(L, -2, "time");
+  time_ = time;
+}
+
+// r.time, which r does not hold, so that it is known who asks for it.
+int Recipe::look_up_in_context(lua_State* L) {
+  if (lua_type(L, 2) != LUA_TSTRING || std::string_view(lua_tostring(L, 2)) != "time") return 0;
+  auto* const recipe = static_cast<Recipe*>(lua_touserdata(L, lua_upvalueindex(1)));
+  recipe->read_time_ = true;
+  lua_pushnumber(L, recipe->time_);
+  return 1;
 }
 
 bool Recipe::push_function(const char* name) {
@@ -215,6 +223,7 @@ void Recipe::draw(double time) {
     graphics_.clear_buffers();
   }
   pass_count_ = 0;
+  read_time_ = false;
   if (gl::Recorder* recorder = graphics_.recorder())
     recorder->end_pass();  // of a frame that failed
   state_.restart_budget();

@@ -126,6 +126,9 @@ class Recipe : private lua::PassListener {
   /// draw. Throws InputError where the recipe fails; the frame is then incomplete.
   void draw(double time = 0);
 
+  /// Whether the last frame asked for r.time: any other moment would draw the same picture, if not.
+  bool read_time() const { return read_time_; }
+
   /// The passes of the last frame, in their order; times where the options asked for them.
   std::span<const PassTime> passes() const { return {passes_.data(), pass_count_}; }
 
@@ -150,6 +153,7 @@ class Recipe : private lua::PassListener {
   void load_scene(const std::optional<std::string>& override_name);
   void set_up();
   void push_context(double time);
+  static int look_up_in_context(lua_State* L);
   bool push_function(const char* name);
 
   gl::Graphics& graphics_;
@@ -169,6 +173,8 @@ class Recipe : private lua::PassListener {
   gl::Work work_;
   gl::Work work_before_pass_;
   bool set_up_ = false;
+  double time_ = 0;         ///< r.time of this frame
+  bool read_time_ = false;  ///< it was asked for
   int scene_load_ = LUA_NOREF;
   int table_ = LUA_NOREF;    ///< the recipe's table, in Lua's registry
   int context_ = LUA_NOREF;  ///< r, which carries the recipe's resources from frame to frame

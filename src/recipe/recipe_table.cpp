@@ -46,6 +46,12 @@ void Recipe::read_table() {
   read_keys(table);
   table_ = luaL_ref(L, LUA_REGISTRYINDEX);
   lua_newtable(L);
+  lua_newtable(L);
+  lua_pushlightuserdata(L, this);
+  lua_pushcclosure(L, look_up_in_context, 1);
+  lua_setfield(L, -2, "__index");
+  lua::lock_metatable(L, lua_gettop(L));
+  lua_setmetatable(L, -2);
   context_ = luaL_ref(L, LUA_REGISTRYINDEX);
 }
 

@@ -146,6 +146,24 @@ TEST_F(RecipeParameters, reach_the_recipe_as_values_of_their_kind) {
   EXPECT_EQ(printed, "vec4(4, 5, 6, 1)\tvec4(1, 0, 0, 0)\t0.1\t9\tall\tfalse\tvec3(0, 0, 1)\n");
 }
 
+TEST_F(RecipeParameters, tell_whether_the_time_was_asked_for) {
+  const RecipeFile file(drawing("if r.params.on then print(r.time, r.none) end",
+                                "params = { on = param.toggle(false) }"));
+  Options options;
+  std::string printed;
+  options.print = [&printed](std::string_view text) { printed += text; };
+  Recipe recipe(graphics(), file.path(), options);
+  recipe.draw(1.5);
+  EXPECT_FALSE(recipe.read_time());
+  recipe.set("on", "true");
+  recipe.draw(2.5);
+  EXPECT_TRUE(recipe.read_time());
+  EXPECT_EQ(printed, "2.5\tnil\n");
+  recipe.set("on", "false");
+  recipe.draw(3.5);
+  EXPECT_FALSE(recipe.read_time());
+}
+
 TEST_F(RecipeParameters, refuse_values_of_another_kind_with_what_they_take) {
   const RecipeFile file(parameterised);
   Recipe recipe(graphics(), file.path());
