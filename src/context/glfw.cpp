@@ -10,6 +10,7 @@ Glfw::Glfw() {
   library.find(get_error, "glfwGetError");
   library.find(default_hints, "glfwDefaultWindowHints");
   library.find(hint, "glfwWindowHint");
+  library.find(extension_supported, "glfwExtensionSupported");
   library.find(create_window, "glfwCreateWindow");
   library.find(destroy_window, "glfwDestroyWindow");
   library.find(make_current, "glfwMakeContextCurrent");
@@ -23,6 +24,7 @@ Glfw::Glfw() {
   library.find(set_window_size, "glfwSetWindowSize");
   library.find(window_position, "glfwGetWindowPos");
   library.find(content_scale, "glfwGetWindowContentScale");
+  library.find(window_attribute, "glfwGetWindowAttrib");
   library.find(set_title, "glfwSetWindowTitle");
   library.find(set_monitor, "glfwSetWindowMonitor");
   library.find(window_monitor, "glfwGetWindowMonitor");
@@ -89,6 +91,11 @@ void GlfwContext::set_hints(int profile, Shown shown) const {
   glfw_.hint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfw_.hint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfw_.hint(GLFW_OPENGL_PROFILE, profile);
+  // Only such a context tells that it was lost; drivers without them give a plain one.
+  if (shown == Shown::yes) {
+    glfw_.hint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+    glfw_.hint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  }
   // A window that is looked at shows pictures, and needs nothing but colour.
   glfw_.hint(GLFW_DEPTH_BITS, shown == Shown::yes ? 0 : 24);
   glfw_.hint(GLFW_STENCIL_BITS, shown == Shown::yes ? 0 : 8);

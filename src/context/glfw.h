@@ -17,6 +17,7 @@ struct Glfw {
   decltype(glfwGetError)* get_error;
   decltype(glfwDefaultWindowHints)* default_hints;
   decltype(glfwWindowHint)* hint;
+  decltype(glfwExtensionSupported)* extension_supported;
   decltype(glfwCreateWindow)* create_window;
   decltype(glfwDestroyWindow)* destroy_window;
   decltype(glfwMakeContextCurrent)* make_current;
@@ -30,6 +31,7 @@ struct Glfw {
   decltype(glfwSetWindowSize)* set_window_size;
   decltype(glfwGetWindowPos)* window_position;
   decltype(glfwGetWindowContentScale)* content_scale;
+  decltype(glfwGetWindowAttrib)* window_attribute;
   decltype(glfwSetWindowTitle)* set_title;
   decltype(glfwSetWindowMonitor)* set_monitor;
   decltype(glfwGetWindowMonitor)* window_monitor;

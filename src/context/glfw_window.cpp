@@ -59,6 +59,12 @@ class GlfwWindow final : public GlfwContext, public Window {
   void make_current() override {
     GlfwContext::make_current();
     glfw().swap_interval(1);  // of the current context, by GLFW's rule
+    if (!reset_status_) find_reset_status();
+  }
+
+  bool lost() const override {
+    constexpr unsigned no_error = 0;  // GL_NO_ERROR
+    return reset_status_ && reset_status_() != no_error;
   }
 
   std::vector<Event> events(double seconds) override {
@@ -71,7 +77,8 @@ class GlfwWindow final : public GlfwContext, public Window {
   }
 
   Size size() const override {
-    Size size;
+    Size size{0, 0};
+    if (glfw().window_attribute(handle(), GLFW_ICONIFIED) == GLFW_TRUE) return size;
     glfw().framebuffer_size(handle(), &size.width, &size.height);
     return size;
   }
@@ -108,6 +115,17 @@ class GlfwWindow final : public GlfwContext, public Window {
   static GlfwWindow& of(GLFWwindow* window);
   void listen();
   void key(int key, int scancode, int action, int bits);
+
+  // GLX gives a stub for functions that the driver lacks: only the extensions tell.
+  void find_reset_status() {
+    for (const char* const suffix : {"ARB", "KHR"}) {
+      const std::string words = suffix;
+      if (!glfw().extension_supported(("GL_" + words + "_robustness").c_str())) continue;
+      reset_status_ =
+          reinterpret_cast<ResetStatus>(function(("glGetGraphicsResetStatus" + words).c_str()));
+      if (reset_status_) return;
+    }
+  }
 
   // For the wheel, whose events do not say.
   Modifiers modifiers() const {
@@ -147,6 +165,8 @@ class GlfwWindow final : public GlfwContext, public Window {
   // GLFW's callbacks are given a window alone, and whose it is only a function of GLFW tells.
   static inline decltype(glfwGetWindowUserPointer)* user_pointer = nullptr;
 
+  using ResetStatus = unsigned (*)();
+  ResetStatus reset_status_ = nullptr;  ///< null where contexts do not tell
   std::vector<Event> events_;
   int x_ = 0, y_ = 0;
   Size windowed_;

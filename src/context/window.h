@@ -109,11 +109,14 @@ class Window {
   virtual void set_title(const std::string& title) = 0;
   virtual Extent extent() const = 0;
   virtual void set_extent(Extent extent) = 0;
+  /// Whether the driver has taken the context away, as after a reset of the GPU: nothing that was
+  /// made in it is left, and another window has to take this one's place.
+  virtual bool lost() const = 0;
 };
 
 struct WindowOptions {
   std::string title;
-  Size size{1280, 800};
+  Size size{1280, 800};  ///< of a screen of single density
 };
 
 /// Opens a window, with a context that is current. Throws MachineError where there is no display.

@@ -50,6 +50,12 @@ void move_pixel(Studio& studio, View& view) {
   view.details = View::Details::pixel;
 }
 
+template <bool Larger>
+void zoom(Studio&, View& view) {
+  const Rectangle& area = view.picture.area();
+  view.picture.zoom_at(Larger ? 2 : 0.5, area.x + area.width / 2, area.y + area.height / 2);
+}
+
 template <int By>
 void step_parameter(Studio& studio, View& view) {
   const recipe::Recipe* recipe = studio.bench().workshop.recipe();
@@ -77,6 +83,8 @@ constexpr Command all[] = {
     {Key::escape, 0, plain, nullptr, "",
      [](Studio&, View& v) { v.help ? v.help = false : v.open = false; }},
     {Key::f5, 0, plain, "F5", "reload", [](Studio& s, View&) { s.reload_all(); }},
+    {Key::f5, 0, control, "Ctrl+F5", "a new window, should the driver have lost this one's context",
+     [](Studio&, View& v) { v.renewed = true; }},
     {Key::character, 'r', control, "Ctrl+R", "parameters, camera and casters as the recipe has them",
      [](Studio& s, View&) { s.reset(); }},
 
@@ -137,21 +145,10 @@ constexpr Command all[] = {
     {Key::character, '1', control, "Ctrl+1", "a pixel for a pixel; Ctrl+0: as it fits",
      [](Studio&, View& v) { v.picture.set_zoom(1); }},
     {Key::character, '0', control, nullptr, "", [](Studio&, View& v) { v.picture.fit(); }},
-    {Key::character, '+', control, "Ctrl++, Ctrl+-", "larger, smaller; also by Ctrl and the wheel",
-     [](Studio&, View& v) {
-       const auto& a = v.picture.area();
-       v.picture.zoom_at(2, a.x + a.width / 2, a.y + a.height / 2);
-     }},
-    {Key::character, '=', control, nullptr, "",
-     [](Studio&, View& v) {
-       const auto& a = v.picture.area();
-       v.picture.zoom_at(2, a.x + a.width / 2, a.y + a.height / 2);
-     }},
-    {Key::character, '-', control, nullptr, "",
-     [](Studio&, View& v) {
-       const auto& a = v.picture.area();
-       v.picture.zoom_at(0.5, a.x + a.width / 2, a.y + a.height / 2);
-     }},
+    {Key::character, '+', control, "Ctrl++, Ctrl+-", "larger, smaller; also by Ctrl and the wheel", zoom<true>},
+    {Key::character, '=', control, nullptr, "", zoom<true>},
+    {Key::character, '=', control_shift, nullptr, "", zoom<true>},
+    {Key::character, '-', control, nullptr, "", zoom<false>},
     {Key::f2, 0, plain, "F2", "panels", [](Studio&, View& v) { v.panels = !v.panels; }},
     {Key::f8, 0, plain, "F8", "large type for a projector",
      [](Studio&, View& v) { v.style = v.style == Style::desk ? Style::projector : Style::desk; }},

@@ -62,6 +62,11 @@ void Inspector::finish(const recipe::Recipe& recipe) {
   if (wanted_.buffers) std::swap(buffers_, seen_buffers_);
 }
 
+bool Inspector::missed_state() const {
+  return std::ranges::any_of(
+      passes_, [this](const PassReport& pass) { return wanted_.pass == pass.name && !pass.state; });
+}
+
 // Asking for all of the state at every draw would cost as much as small draws do.
 bool Inspector::wants_state() const {
   return expected_ && (seen_.size() == *expected_ || seen_.size() + 1 == *expected_);

@@ -67,6 +67,9 @@ class Inspector : private gl::DrawObserver {
 
   /// Of the last frame that was finished.
   const std::vector<PassReport>& passes() const { return passes_; }
+  /// Whether the wanted pass was in another place than in the frame before, and its state was not
+  /// seen: it will be in the next.
+  bool missed_state() const;
   /// The pixel before the first pass: as it was when the frame began.
   const std::optional<gl::MainFrame::Pixel>& pixel_before() const { return before_; }
   const Buffers& buffers() const { return buffers_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "core/error.h"
 
@@ -160,7 +161,7 @@ void Interface::set_style(Style style, double scale) {
   atlas.Clear();
   font("DejaVuSans.ttf", height);
   code_ = font("DejaVuSansMono.ttf", height * 0.9);
-  large_ = font("DejaVuSans.ttf", height * 1.5);
+  small_ = font("DejaVuSans.ttf", text_height * scale);
   upload_fonts();
 }
 
@@ -199,8 +200,13 @@ void Interface::take(const context::Event& event) {
     hold(io.MouseDown, static_cast<int>(button->button), button->press != context::Press::up,
          buttons_down_, buttons_up_);
   } else if (const auto* scrolled = std::get_if<context::Scrolled>(&event)) {
-    io.MouseWheelH += static_cast<float>(scrolled->x);
-    io.MouseWheel += static_cast<float>(scrolled->y);
+    // Ctrl as it was at the wheel: by the next frame it may have been let go.
+    if (scrolled->modifiers.control) {
+      zooming_ += scrolled->y;
+    } else {
+      io.MouseWheelH += static_cast<float>(scrolled->x);
+      io.MouseWheel += static_cast<float>(scrolled->y);
+    }
   } else if (std::holds_alternative<context::PointerLeft>(event)) {
     if (!ImGui::IsAnyMouseDown()) io.MousePos = {-FLT_MAX, -FLT_MAX};
   } else if (std::holds_alternative<context::FocusLost>(event)) {
@@ -216,6 +222,7 @@ void Interface::begin(context::Size size, double seconds) {
   io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
   io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
   if (!style_) set_style(Style::desk, 1);
+  zoomed_ = std::exchange(zooming_, 0);
   ImGui::NewFrame();
   let_go(io.KeysDown, keys_down_, keys_up_);
   let_go(io.MouseDown, buttons_down_, buttons_up_);

@@ -40,8 +40,10 @@ class Interface {
   bool types() const { return ImGui::GetIO().WantTextInput; }
   /// Type in a fixed width, for code and numbers.
   ImFont* code() const { return code_; }
-  /// One and a half times as large.
-  ImFont* large() const { return large_; }
+  /// Type of the desk's size in any style: for what would not fit otherwise.
+  ImFont* small() const { return small_; }
+  /// Notches of the wheel with Ctrl, which are no scrolling.
+  double zoomed() const { return zoomed_; }
 
  private:
   void upload_fonts();
@@ -50,7 +52,8 @@ class Interface {
   ImGuiContext* imgui_;
   gl::ShownPicture fonts_;
   ImFont* code_ = nullptr;
-  ImFont* large_ = nullptr;
+  ImFont* small_ = nullptr;
+  double zooming_ = 0, zoomed_ = 0;  ///< since `begin`, and before it
   std::optional<Style> style_;
   double scale_ = 0;
   std::vector<gl::ScreenBatch> batches_;

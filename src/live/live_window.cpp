@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/clock.h"
 #include "core/error.h"
@@ -15,41 +16,57 @@ namespace {
 constexpr double frame = 1000.0 / 60;  // ms
 constexpr double patience = 1;         // seconds after which a frame is long
 
+// All that is of one context.
+struct Opened {
+  Opened(const LiveOptions& options, const StudioOptions& studio_options, const Studio::Kept& kept)
+      : graphics(context::create_window({"shadowlab", {1280, 800}}), options.width, options.height),
+        window(*graphics.context().window()),
+        screen(graphics),
+        interface(graphics),
+        studio(graphics, studio_options, kept) {}
+
+  gl::Graphics graphics;
+  context::Window& window;
+  gl::Screen screen;
+  Interface interface;
+  Studio studio;
+};
+
 class LiveWindow {
  public:
-  explicit LiveWindow(const LiveOptions& options)
-      : graphics_(context::create_window({"shadowlab", {1280, 800}}), options.width,
-                  options.height),
-        window_(*graphics_.context().window()),
-        screen_(graphics_),
-        interface_(graphics_),
-        studio_(graphics_, listening(options.studio)) {
+  explicit LiveWindow(const LiveOptions& options) : options_(options) {
+    options_.studio.recipe.stop = [this] { return is_to_stop(); };
     view_.panels = options.panels == LiveOptions::Panels::shown;
+    open({});
   }
 
   void run() {
     double last = now_ms();
     while (view_.open) {
+      if (opened_->window.lost() || std::exchange(view_.renewed, false))
+        open(opened_->studio.kept());
       hear(std::max(0.0, last + frame - now_ms()) / 1000);
       take(std::exchange(heard_, {}));
       stops_ = false;
       const double present = now_ms(), seconds = (present - last) / 1000;
       drawing_since_ = present;
       // A script that took seconds is no leap of the clock.
-      studio_.step(std::min(seconds, 0.25));
+      opened_->studio.step(std::min(seconds, 0.25));
       draw(seconds);
       last = present;
     }
   }
 
  private:
-  StudioOptions listening(StudioOptions options) {
-    options.recipe.stop = [this] { return is_to_stop(); };
-    return options;
+  void open(const Studio::Kept& kept) {
+    opened_.reset();  // a context that is lost takes what is still asked of it, and does nothing
+    title_.clear();
+    opened_.emplace(options_, options_.studio, kept);
   }
 
   void hear(double seconds) {
-    for (context::Event& event : window_.events(seconds)) heard_.push_back(std::move(event));
+    for (context::Event& event : opened_->window.events(seconds))
+      heard_.push_back(std::move(event));
   }
 
   // While a script runs the window goes on listening, so that no script holds it: what is asked of
@@ -79,15 +96,15 @@ class LiveWindow {
 
   void take(const std::vector<context::Event>& events) {
     for (const context::Event& event : events) {
-      interface_.take(event);
+      opened_->interface.take(event);
       if (std::holds_alternative<context::CloseAsked>(event)) view_.open = false;
-      if (interface_.types()) continue;
+      if (opened_->interface.types()) continue;
       try {
         if (const auto* key = std::get_if<context::KeyEvent>(&event))
-          run_command(*key, studio_, view_);
+          run_command(*key, opened_->studio, view_);
         if (const auto* typed = std::get_if<context::Typed>(&event)) type(typed->character);
       } catch (const InputError& problem) {
-        studio_.say(problem.what());
+        opened_->studio.say(problem.what());
       }
     }
   }
@@ -95,60 +112,57 @@ class LiveWindow {
   void type(char32_t character) {
     if (character >= 128 || character == U' ') return;
     const char c = static_cast<char>(character);
-    if (!studio_.press({&c, 1}) && c == '?') view_.help = !view_.help;
+    if (!opened_->studio.press({&c, 1}) && c == '?') view_.help = !view_.help;
   }
 
   void draw(double seconds) {
     set_title(title());
-    window_.set_extent(view_.extent);
-    const context::Size size = window_.size();
+    opened_->window.set_extent(view_.extent);
+    const context::Size size = opened_->window.size();
     if (size.width < 1 || size.height < 1) return;
-    interface_.set_style(view_.style, window_.scale());
-    interface_.begin(size, seconds);
-    draw_window(studio_, view_, interface_);
-    screen_.begin(size.width, size.height, ground_of(view_.style));
-    interface_.end(screen_);
+    opened_->interface.set_style(view_.style, opened_->window.scale());
+    opened_->interface.begin(size, seconds);
+    draw_window(opened_->studio, view_, opened_->interface);
+    opened_->screen.begin(size.width, size.height, ground_of(view_.style));
+    opened_->interface.end(opened_->screen);
     if (std::exchange(view_.window_shot, false)) save_window();
-    window_.swap();
+    opened_->window.swap();
   }
 
   void save_window() {
     try {
-      image::Image picture = screen_.read();
+      image::Image picture = opened_->screen.read();
       for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
       const auto file = unused_file("window", ".png");
       image::write_png(file, picture);
-      studio_.say(fmt::format("the window is in {}", file.string()));
+      opened_->studio.say(fmt::format("the window is in {}", file.string()));
     } catch (const std::exception& problem) {
-      studio_.say(problem.what());
+      opened_->studio.say(problem.what());
     }
   }
 
   // What a desktop's list of windows, and a test, can read.
   std::string title() const {
-    const Bench& bench = studio_.bench();
+    const Bench& bench = opened_->studio.bench();
     std::string title = bench.workshop.file().filename().string();
     if (bench.workshop.failure()) title += " - error";
-    if (const auto& pass = studio_.chosen_pass()) title += " - " + pass->name;
+    if (const auto& pass = opened_->studio.chosen_pass()) title += " - " + pass->name;
     return title + " - shadowlab";
   }
 
   void set_title(const std::string& title) {
     if (title == title_) return;
     title_ = title;
-    window_.set_title(title);
+    opened_->window.set_title(title);
   }
 
-  gl::Graphics graphics_;
-  context::Window& window_;
-  gl::Screen screen_;
-  Interface interface_;
+  LiveOptions options_;
   View view_;
   std::string title_;
   std::vector<context::Event> heard_;
   double drawing_since_ = 0;  ///< ms
   bool stops_ = false;        ///< the recipes of this step
-  Studio studio_;
+  std::optional<Opened> opened_;
 };
 
 }  // namespace

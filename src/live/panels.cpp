@@ -12,6 +12,8 @@ namespace {
 
 // In heights of a letter.
 constexpr double left_width = 16, right_width = 23, least_width = 8, status_height = 2.1;
+// Of the window: however large the type, the picture has the most of it.
+constexpr double most_left = 0.22, most_right = 0.32;
 
 struct Places {
   Rectangle left, middle, right, status;
@@ -22,9 +24,10 @@ Places places(const View& view) {
   const double letter = ImGui::GetFontSize(), width = size.x, height = size.y;
   Places places;
   const double status = std::min(height, status_height * letter);
-  const bool room = width > (left_width + right_width + least_width) * letter;
-  const double left = view.panels && room ? left_width * letter : 0;
-  const double right = view.panels && room ? right_width * letter : 0;
+  const bool room = width * (1 - most_left - most_right) > least_width * letter;
+  const bool shown = view.panels && room;
+  const double left = shown ? std::min(left_width * letter, most_left * width) : 0;
+  const double right = shown ? std::min(right_width * letter, most_right * width) : 0;
   places.left = {0, 0, left, height - status};
   places.right = {width - right, 0, right, height - status};
   places.middle = {left, 0, width - left - right, height - status};
@@ -78,13 +81,23 @@ bool draw_other(const Studio& studio, std::size_t index, const Rectangle& area) 
   const Rectangle& at = view.placed();
   const ImVec2 low{static_cast<float>(at.x), static_cast<float>(at.y)};
   const ImVec2 high{static_cast<float>(at.x + at.width), static_cast<float>(at.y + at.height)};
+  list.PushClipRect(low, high, true);
   if (bench.picture.texture()) list.AddImage(texture_id(bench.picture), low, high, {0, 1}, {1, 0});
   const std::string& title = bench.workshop.recipe() ? bench.workshop.recipe()->description().title
                                                      : bench.workshop.file().string();
-  list.AddText({low.x + 8, low.y + 6}, IM_COL32(255, 255, 255, 255), title.c_str());
+  const ImVec2 margin = ImGui::GetStyle().FramePadding;
+  ImVec2 corner = low;
+  const auto line = [&](ImU32 color, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 end{corner.x + size.x + 2 * margin.x, corner.y + size.y + 2 * margin.y};
+    list.AddRectFilled(corner, end, IM_COL32(0, 0, 0, 160));  // legible over any picture
+    list.AddText({corner.x + margin.x, corner.y + margin.y}, color, text.c_str());
+    corner.y = end.y;
+  };
+  line(IM_COL32(255, 255, 255, 255), title);
   if (bench.workshop.failure())
-    list.AddText({low.x + 8, low.y + 10 + ImGui::GetFontSize()}, IM_COL32(255, 110, 100, 255),
-                 bench.workshop.failure()->sentence.c_str());
+    line(IM_COL32(255, 130, 120, 255), bench.workshop.failure()->sentence);
+  list.PopClipRect();
   const ImGuiIO& io = ImGui::GetIO();
   return !io.WantCaptureMouse && io.MouseClicked[0] && area.holds(io.MousePos.x, io.MousePos.y);
 }
@@ -146,7 +159,7 @@ void draw_window(Studio& studio, View& view, const Interface& interface) {
   draw_status(studio, view, places.status);
   if (const auto& failure = studio.bench().workshop.failure())
     draw_failure(*failure, interface, areas[studio.focus()]);
-  if (view.help) draw_help(studio, view);
+  if (view.help) draw_help(studio, view, interface);
   if (clicked) studio.set_focus(*clicked);
 }
 
@@ -190,32 +203,41 @@ void draw_failure(const Failure& failure, const Interface& interface, const Rect
   ImGui::PopStyleColor(2);
 }
 
-void draw_help(Studio& studio, View& view) {
+void draw_help(Studio& studio, View& view, const Interface& interface) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x, size.y});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyle().Colors[ImGuiCol_PopupBg]);
+  ImGui::PushFont(interface.small());
   ImGui::Begin(
       "Keys", &view.help,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
-  if (ImGui::BeginTable("keys", 2)) {
-    const auto row = [](const std::string& keys, const std::string& does) {
+  using Row = std::pair<std::string, std::string>;
+  std::vector<Row> ours, theirs;
+  for (const Command& command : commands())
+    if (command.keys) ours.emplace_back(command.keys, command.does);
+  ours.emplace_back("mouse", "drag the light, a caster, or the view; the wheel goes nearer");
+  if (const recipe::Recipe* recipe = studio.bench().workshop.recipe()) {
+    for (const recipe::KeyAction& action : recipe->keys())
+      theirs.emplace_back(action.key, action.words);
+  }
+  // Side by side: one below the other is higher than a window.
+  if (ImGui::BeginTable("keys", theirs.empty() ? 2 : 4)) {
+    for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
       ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(keys.c_str());
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(does.c_str());
-    };
-    for (const Command& command : commands())
-      if (command.keys) row(command.keys, command.does);
-    row("mouse", "drag the light, a caster, or the view; the wheel goes nearer");
-    if (const recipe::Recipe* recipe = studio.bench().workshop.recipe()) {
-      if (!recipe->keys().empty()) row("", "");
-      for (const recipe::KeyAction& action : recipe->keys()) row(action.key, action.words);
+      for (const auto* rows : {&ours, &theirs}) {
+        if (rows->empty()) continue;
+        const Row row = i < rows->size() ? (*rows)[i] : Row();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.first.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.second.c_str());
+      }
     }
     ImGui::EndTable();
   }
   ImGui::End();
+  ImGui::PopFont();
   ImGui::PopStyleColor();
 }
 

@@ -16,7 +16,7 @@ void draw_picture(Studio& studio, View& view, const Interface& interface, const 
 void draw_parameters(Studio& studio, View& view);
 void draw_passes(Studio& studio, View& view, const Interface& interface);
 void draw_failure(const Failure& failure, const Interface& interface, const Rectangle& area);
-void draw_help(Studio& studio, View& view);
+void draw_help(Studio& studio, View& view, const Interface& interface);
 
 /// A window of ImGui that is a place of ours: nothing about it moves. True, as ImGui::Begin.
 enum class Scrolling { yes, no };

@@ -73,6 +73,7 @@ std::optional<std::string> edited(const lua::Parameter& parameter) {
 void draw_one(Studio& studio, View& view, std::size_t index,
               const recipe::NamedParameter& parameter) {
   ImGui::PushID(static_cast<int>(index));
+  if (parameter.parameter.kind == Kind::toggle) ImGui::AlignTextToFramePadding();
   if (index == view.parameter) {
     ImGui::TextColored(ImGui::GetStyle().Colors[ImGuiCol_CheckMark], "%s", parameter.name.c_str());
   } else {

@@ -28,7 +28,8 @@ std::optional<double> slider_of(const Studio& studio, const View& view) {
 
 class Pointer {
  public:
-  Pointer(Studio& studio, View& view) : studio_(studio), view_(view) {}
+  Pointer(Studio& studio, View& view, double zoomed)
+      : studio_(studio), view_(view), zoomed_(zoomed) {}
 
   void run() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -79,18 +80,17 @@ class Pointer {
   }
 
   void wheel(const ImGuiIO& io) {
+    if (zoomed_ != 0) view_.picture.zoom_at(std::pow(1.25, zoomed_), io.MousePos.x, io.MousePos.y);
     if (io.MouseWheel == 0) return;
-    if (io.KeyCtrl) {
-      view_.picture.zoom_at(std::pow(1.25, io.MouseWheel), io.MousePos.x, io.MousePos.y);
-    } else if (const auto camera = studio_.camera()) {
+    if (const auto camera = studio_.camera())
       studio_.set_camera(approached(*camera, std::pow(0.9, io.MouseWheel)));
-    }
   }
 
   bool& slides() { return view_.slides; }
 
   Studio& studio_;
   View& view_;
+  double zoomed_;
 };
 
 void draw_image(ImDrawList& list, const gl::ShownPicture& picture, const Rectangle& at,
@@ -177,10 +177,14 @@ std::vector<std::string> numbers_of(const Studio& studio, std::size_t index) {
   return {};
 }
 
+// Whether a pixel is large enough for its numbers.
+bool shows_numbers(const PictureView& picture) {
+  return picture.zoom() >= 3.2 * static_cast<double>(ImGui::GetTextLineHeight());
+}
+
 void draw_numbers(ImDrawList& list, const Studio& studio, const View& view, int width, int height) {
   const PictureView& picture = view.picture;
   const double line = ImGui::GetTextLineHeight();
-  if (picture.zoom() < 3.2 * line) return;
   const auto clamped = [](double value, int most) {
     return std::clamp(static_cast<int>(std::floor(value)), 0, most);
   };
@@ -224,7 +228,7 @@ void draw_picture(Studio& studio, View& view, const Interface& interface, const 
   const int width = attachment ? std::max(1, picture.width()) : studio.graphics().width();
   const int height = attachment ? std::max(1, picture.height()) : studio.graphics().height();
   view.picture.place(area, width, height);
-  Pointer(studio, view).run();
+  Pointer(studio, view, interface.zoomed()).run();
   view.picture.place(area, width, height);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(
@@ -238,7 +242,9 @@ void draw_picture(Studio& studio, View& view, const Interface& interface, const 
     if (view.panels && studio.truth_mode() != TruthMode::error) draw_light(list, studio, view);
   }
   ImGui::PushFont(interface.code());
-  draw_numbers(list, studio, view, width, height);
+  const bool numbers = shows_numbers(view.picture);
+  studio.set_numbers(numbers ? Studio::Numbers::shown : Studio::Numbers::hidden);
+  if (numbers) draw_numbers(list, studio, view, width, height);
   ImGui::PopFont();
   if (studio.pixel() && view.panels && view.details == View::Details::pixel && !attachment) {
     const glm::ivec2 pixel = *studio.pixel();

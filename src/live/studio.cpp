@@ -14,6 +14,7 @@ namespace {
 constexpr double rest = 0.15;  // seconds after which a hand is thought to be still
 constexpr double slow = 40;    // ms: a frame that a hand feels
 constexpr int coarseness = 2;
+constexpr int warming = 2;  // frames in which shaders are compiled and buffers made
 
 }  // namespace
 
@@ -29,6 +30,24 @@ Studio::Studio(gl::Graphics& graphics, const StudioOptions& options)
     bench->workshop.on_version([this](recipe::Recipe& recipe) { inspector_.attach(recipe); });
     benches_.push_back(std::move(bench));
   }
+}
+
+Studio::Studio(gl::Graphics& graphics, const StudioOptions& options, const Kept& kept)
+    : Studio(graphics, options) {
+  for (std::size_t i = 0; i < benches_.size() && i < kept.changes.size(); ++i)
+    benches_[i]->workshop.take_over(kept.changes[i]);
+  set_focus(kept.focus);
+  clock_ = kept.clock;
+  camera_ = kept.camera;
+  chosen_ = kept.pass;
+  looked_at_ = kept.looked_at;
+  truth_mode_ = kept.truth;
+}
+
+Studio::Kept Studio::kept() const {
+  Kept kept{{}, focus_, clock_, camera_, chosen_, looked_at_, truth_mode_};
+  for (const auto& bench : benches_) kept.changes.push_back(bench->workshop.changes());
+  return kept;
 }
 
 void Studio::set_focus(std::size_t index) {
@@ -47,19 +66,42 @@ bool Studio::step(double seconds) {
     if (std::exchange(coarse_, false)) touch();
   }
   const bool touched = std::exchange(touched_, false) || screenshot_wanted_;
-  const bool moved = clock_.time() != before || touched;
   bool any = false, changed = touched;
   for (const auto& bench : benches_) {
     const bool wanted = bench->workshop.look();
-    if (!wanted && !moved) continue;
+    const recipe::Recipe* const recipe = bench->workshop.recipe();
+    const bool stands_still = !recipe || !recipe->read_time() || clock_.time() == before;
+    if (!wanted && !touched && bench->cold == 0 && stands_still) continue;
     changed = changed || wanted;
     any = true;
     const Moment moment{clock_.time(), camera_};
     if (wanted || !moves_ || !draw_coarse(*bench, moment)) draw(*bench, moment);
+    if (!recipe) share_light(*bench);
+    const int version = bench->workshop.versions();
+    bench->cold =
+        std::exchange(bench->version, version) != version ? warming : std::max(0, bench->cold - 1);
   }
   update_truth(seconds, changed);
-  if (film_) film_time_ -= seconds;
+  film(seconds);
   return truth_.poll() || any;
+}
+
+// Recipes of one scene begin under one light, so that what differs is what they do.
+void Studio::share_light(Bench& bench) {
+  const recipe::Recipe* const first = benches_[0]->workshop.recipe();
+  const recipe::Recipe* const recipe = bench.workshop.recipe();
+  if (&bench == benches_[0].get() || !first || !recipe ||
+      first->description().scene != recipe->description().scene ||
+      bench.workshop.changes().settings.contains("light"))
+    return;
+  try {
+    const glm::dvec4 light = first->light();
+    if (light == recipe->light() || light.w != recipe->light().w) return;
+    bench.workshop.set("light", fmt::format("{},{},{}", light.x, light.y, light.z));
+    touch();
+  } catch (const InputError&) {
+    // One of the two has no light.
+  }
 }
 
 void Studio::hand_moves() {
@@ -82,7 +124,8 @@ bool Studio::draw_coarse(Bench& bench, const Moment& moment) {
 
 void Studio::draw(Bench& bench, const Moment& moment) {
   const bool focused = &bench == &this->bench();
-  const bool buffers = chosen_ || looked_at_.buffer != LookedAt::Buffer::color;
+  const bool buffers =
+      chosen_ || looked_at_.buffer != LookedAt::Buffer::color || numbers_ == Numbers::shown;
   if (focused) inspector_.begin({chosen_, buffers, pixel_});
   const bool traced = focused && tracing_ == Tracing::on;
   if (traced) {
@@ -100,26 +143,11 @@ void Studio::draw(Bench& bench, const Moment& moment) {
   bench.frame_ms = now_ms() - began;
   if (focused) inspector_.finish(*bench.workshop.recipe());
   if (focused && std::exchange(screenshot_wanted_, false)) save_screenshot();
-  if (focused && film_ && film_time_ <= 0) {
-    film_time_ += 1.0 / Film::frames_per_second;
-    if (!film_->add(graphics_.frame.read_color())) toggle_film("");
-  }
+  if (focused && film_) film_picture_ = graphics_.frame.read_color();
   bench.picture.copy_main_frame();
   if (focused) show_buffers();
+  if (focused && inspector_.missed_state()) touch();
   if (traced) keep_calls();
-}
-
-// As `run` writes it: opaque, whatever the frame's alpha is.
-void Studio::save_screenshot() {
-  try {
-    image::Image picture = graphics_.frame.read_color();
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
-    const auto file = unused_file(bench().workshop.file().stem().string(), ".png");
-    image::write_png(file, picture);
-    say(fmt::format("the picture is in {}", file.string()));
-  } catch (const std::exception& problem) {
-    say(problem.what());
-  }
 }
 
 void Studio::reload_all() {
@@ -129,48 +157,6 @@ void Studio::reload_all() {
 const scene::Scene* Studio::scene() const {
   const recipe::Recipe* recipe = bench().workshop.recipe();
   return recipe ? recipe->scene() : nullptr;
-}
-
-double Studio::aspect() const {
-  return static_cast<double>(graphics_.width()) / graphics_.height();
-}
-
-std::optional<scene::Camera> Studio::camera() const {
-  if (camera_) return camera_;
-  if (!scene()) return {};
-  return scene()->camera;
-}
-
-void Studio::set_camera(const scene::Camera& camera) {
-  camera_ = camera;
-  hand_moves();
-  for (const auto& bench : benches_) bench->workshop.retry();
-  touch();
-}
-
-std::optional<glm::dvec4> Studio::light() const {
-  const recipe::Recipe* recipe = bench().workshop.recipe();
-  if (!recipe) return {};
-  try {
-    return recipe->light();
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-void Studio::set_light(glm::dvec4 light) {
-  try {
-    set("light", fmt::format("{},{},{}", light.x, light.y, light.z));
-  } catch (const InputError&) {
-    // The recipe has no light to move.
-  }
-}
-
-// A version takes the scene's own camera along only when it is made.
-void Studio::reset() {
-  camera_.reset();
-  for (const auto& bench : benches_) bench->workshop.reset_parameters();
-  touch();
 }
 
 void Studio::set(const std::string& name, const std::string& value) {
@@ -201,66 +187,6 @@ bool Studio::press(std::string_view character) {
   return false;
 }
 
-Studio::Grip Studio::grip_at(glm::dvec2 place, double reach) const {
-  const auto camera = this->camera();
-  if (!camera) return Grip::nothing;
-  if (const auto light = this->light()) {
-    const Seen handle = seen(*camera, aspect(), light_handle(*light, *camera));
-    const glm::dvec2 off = (glm::dvec2(handle.x, handle.y) - place) * glm::dvec2(aspect(), 1);
-    if (handle.distance > 0 && glm::length(off) < reach) return Grip::light;
-  }
-  if (scene() && first_caster(*scene(), ray_through(*camera, aspect(), place.x, place.y)))
-    return Grip::object;
-  return Grip::camera;
-}
-
-Studio::Grip Studio::grab(glm::dvec2 place, Grip wanted) {
-  held_ = {};
-  const auto camera = this->camera();
-  if (!camera) return Grip::nothing;
-  held_.grip = wanted;
-  held_.place = place;
-  if (wanted == Grip::light && light()) held_.point = light_handle(*light(), *camera);
-  if (wanted == Grip::object) {
-    const auto hit = first_caster(*scene(), ray_through(*camera, aspect(), place.x, place.y));
-    if (!hit) return held_.grip = Grip::camera;
-    held_.object = hit->object;
-    held_.point = hit->point;
-    held_.model = scene()->objects[hit->object].model;
-  }
-  return held_.grip;
-}
-
-// A light moves in the plane that faces the camera, an object along the floor.
-void Studio::drag(glm::dvec2 place) {
-  const auto camera = this->camera();
-  if (!camera || held_.grip == Grip::nothing) return;
-  const glm::dvec2 step = place - std::exchange(held_.place, place);
-  const Ray ray = ray_through(*camera, aspect(), place.x, place.y);
-  if (held_.grip == Grip::camera) {
-    set_camera(orbited(*camera, step.x * 90 * aspect(), -step.y * 90));
-  } else if (held_.grip == Grip::light && light()) {
-    const glm::dvec3 forward = glm::normalize(camera->target - camera->eye);
-    if (const auto to = on_plane(ray, held_.point, forward))
-      set_light(light_of_handle(*to, *light(), *camera));
-  } else if (held_.grip == Grip::object && scene() && held_.object < scene()->objects.size()) {
-    const auto to = on_plane(ray, held_.point, glm::normalize(camera->up));
-    if (!to) return;
-    glm::dmat4 model = held_.model;
-    model[3] += glm::dvec4(*to - held_.point, 0);
-    hand_moves();
-    const std::string name = scene()->objects[held_.object].name;
-    for (const auto& bench : benches_) {
-      try {
-        bench->workshop.move(name, model);
-      } catch (const InputError&) {
-        // Its scene has no such object.
-      }
-    }
-    touch();
-  }
-}
-
 void Studio::set_truth_mode(TruthMode mode) {
   truth_mode_ = mode;
   truth_stale_ = true;
@@ -277,25 +203,6 @@ void Studio::update_truth(double seconds, bool changed) {
     return;
   truth_stale_ = false;
   truth_.begin(bench().workshop.file(), options_, *recipe, clock_.time());
-}
-
-void Studio::toggle_film(const std::string& ending) {
-  try {
-    if (film_) {
-      Film film = std::move(*film_);
-      film_.reset();
-      film.finish();
-      say(fmt::format("{} frames are in {}", film.frames(), film.file().string()));
-      return;
-    }
-    film_.emplace(unused_file(bench().workshop.file().stem().string(), ending), graphics_.width(),
-                  graphics_.height());
-    film_time_ = 0;
-    say("filming; the same key ends it");
-  } catch (const std::exception& problem) {
-    film_.reset();
-    say(problem.what());
-  }
 }
 
 }  // namespace shadowlab::live

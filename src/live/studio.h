@@ -29,6 +29,8 @@ struct Bench {
   Workshop workshop;
   gl::ShownPicture picture;
   double frame_ms = 0;  ///< of the last frame, until GL had finished it
+  int version = 0;      ///< of the workshop's versions, the one that was last drawn
+  int cold = 0;         ///< frames until its times are those of a warm one
 };
 
 struct StudioOptions {
@@ -48,7 +50,21 @@ struct LookedAt {
 
 class Studio {
  public:
+  /// What a user did in a session, without a trace of its context.
+  struct Kept {
+    std::vector<Changes> changes;  ///< of each recipe
+    std::size_t focus = 0;
+    Clock clock;
+    std::optional<scene::Camera> camera;
+    std::optional<PassName> pass;
+    LookedAt looked_at;
+    TruthMode truth = TruthMode::off;
+  };
+
   Studio(gl::Graphics& graphics, const StudioOptions& options);
+  /// The same session in another context: `options` are those of the first.
+  Studio(gl::Graphics& graphics, const StudioOptions& options, const Kept& kept);
+  Kept kept() const;
 
   gl::Graphics& graphics() { return graphics_; }
   const std::vector<std::unique_ptr<Bench>>& benches() const { return benches_; }
@@ -59,7 +75,9 @@ class Studio {
   void set_focus(std::size_t index);
   Clock& clock() { return clock_; }
 
-  /// Lets so much time pass, looks at the files and draws. Whether there is anything new to see.
+  /// Lets so much time pass, looks at the files and draws what may have become another picture: a
+  /// recipe that does not ask for the time stands still until something is changed. Whether there
+  /// is anything new to see.
   bool step(double seconds);
   /// Draws again at the next step, whatever the clock says.
   void touch() { touched_ = true; }
@@ -107,6 +125,9 @@ class Studio {
   void look_at_next();
   void set_pixel(std::optional<glm::ivec2> pixel);
   const std::optional<glm::ivec2>& pixel() const { return pixel_; }
+  enum class Numbers { hidden, shown };
+  /// Whether the pixels' numbers are to be there: Inspector::buffers, of the frame's end too.
+  void set_numbers(Numbers numbers);
   enum class Tracing { off, on };
   /// Whether the calls of each frame are kept, which takes time.
   void set_tracing(Tracing tracing);
@@ -140,10 +161,12 @@ class Studio {
   };
   void draw(Bench& bench, const Moment& moment);
   bool draw_coarse(Bench& bench, const Moment& moment);
+  void share_light(Bench& bench);
   void hand_moves();
   void show_buffers();
   void keep_calls();
   void save_screenshot();
+  void film(double seconds);
   void update_truth(double seconds, bool changed);
   const scene::Scene* scene() const;
 
@@ -162,6 +185,7 @@ class Studio {
   std::optional<glm::ivec2> pixel_;
   gl::ShownPicture buffer_picture_;
   bool buffer_shown_ = false;
+  Numbers numbers_ = Numbers::hidden;
   Tracing tracing_ = Tracing::off;
   gl::Recorder recorder_;
   std::vector<std::string> calls_;
@@ -177,7 +201,8 @@ class Studio {
 
   bool screenshot_wanted_ = false;
   std::optional<Film> film_;
-  double film_time_ = 0;  ///< until the film's next frame is due
+  image::Image film_picture_;  ///< the last one that was drawn
+  double film_time_ = 0;       ///< until the film's next frame is due
   std::string message_;
 };
 

@@ -1,6 +1,7 @@
 // What of a frame the studio shows: which pass, which buffer, which pixel.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "image/buffer_pictures.h"
 #include "live/studio.h"
@@ -81,6 +82,10 @@ void Studio::look_at_next() {
     next = {static_cast<Buffer>(static_cast<int>(next.buffer) + 1), 0};
   }
   look_at(next);
+}
+
+void Studio::set_numbers(Numbers numbers) {
+  if (std::exchange(numbers_, numbers) != numbers) touch();
 }
 
 void Studio::set_tracing(Tracing tracing) {

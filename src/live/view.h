@@ -14,6 +14,7 @@ namespace shadowlab::live {
 
 struct View {
   bool open = true;
+  bool renewed = false;  ///< another window and context are to take the place of these
   bool panels = true;
   bool help = false;
   Style style = Style::desk;

@@ -52,7 +52,7 @@ bool Workshop::look() {
 }
 
 void Workshop::carry_over(recipe::Recipe& recipe) const {
-  for (const auto& [name, value] : settings_) {
+  for (const auto& [name, value] : changes_.settings) {
     for (const auto& known : recipe.parameters()) {
       if (known.name != name) continue;
       try {
@@ -62,7 +62,7 @@ void Workshop::carry_over(recipe::Recipe& recipe) const {
       }
     }
   }
-  for (const auto& [object, model] : models_) {
+  for (const auto& [object, model] : changes_.models) {
     try {
       recipe.set_model(object, model);
     } catch (const InputError&) {
@@ -140,7 +140,7 @@ Workshop::Drawn Workshop::draw_coarse(const Moment& moment, int coarseness) {
     if (!coarse_) coarse_ = std::make_unique<recipe::Recipe>(graphics_, file_, options_);
     for (const auto& [name, parameter] : good_->parameters())
       coarse_->set(name, lua::text_of(parameter));
-    for (const auto& [object, model] : models_) coarse_->set_model(object, model);
+    for (const auto& [object, model] : changes_.models) coarse_->set_model(object, model);
     if (moment.camera) coarse_->set_camera(*moment.camera);
     coarse_->draw(moment.time);
     return Drawn::picture;
@@ -153,19 +153,18 @@ Workshop::Drawn Workshop::draw_coarse(const Moment& moment, int coarseness) {
 
 void Workshop::set(const std::string& name, const std::string& value) {
   if (good_) good_->set(name, value);
-  settings_[name] = value;
+  changes_.settings[name] = value;
   retry();
 }
 
 void Workshop::reset_parameters() {
-  settings_.clear();
-  models_.clear();
+  changes_ = {};
   reload();
 }
 
 void Workshop::move(const std::string& object, const glm::dmat4& model) {
   if (good_) good_->set_model(object, model);
-  models_[object] = model;
+  changes_.models[object] = model;
   retry();
 }
 

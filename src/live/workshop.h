@@ -25,6 +25,12 @@ struct Moment {
   std::optional<scene::Camera> camera;  ///< the scene's own unless given
 };
 
+/// What a user changed of a recipe, which every version of it takes over.
+struct Changes {
+  std::map<std::string, std::string> settings;  ///< parameters
+  std::map<std::string, glm::dmat4> models;     ///< objects that were moved
+};
+
 class Workshop {
  public:
   /// `options` are every version's. Draws nothing. While a script runs the files are looked at too:
@@ -64,6 +70,9 @@ class Workshop {
   void set(const std::string& name, const std::string& value);
   /// Forgets what was set: the parameters are the recipe's own again.
   void reset_parameters();
+  const Changes& changes() const { return changes_; }
+  /// Before the first version: those of another session with the recipe.
+  void take_over(Changes changes) { changes_ = std::move(changes); }
   /// Moves an object of the scene, in this version and those that follow.
   void move(const std::string& object, const glm::dmat4& model);
   /// A failed frame is tried again: its cause may be gone.
@@ -87,8 +96,7 @@ class Workshop {
   std::unique_ptr<recipe::Recipe> good_;
   std::unique_ptr<recipe::Recipe> coarse_;  ///< the same version, set up for a smaller picture
   std::optional<Failure> failure_;
-  std::map<std::string, std::string> settings_;
-  std::map<std::string, glm::dmat4> models_;
+  Changes changes_;
   std::function<void(recipe::Recipe&)> listener_;
   bool wanted_ = true;
   bool superseded_ = false;      ///< a file was saved while the version that it replaces was drawn

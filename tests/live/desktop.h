@@ -75,6 +75,13 @@ class Desktop : public testing::Test {
   void press(const std::string& keys) const { desk("xdotool key --clearmodifiers " + keys); }
   void mouse(const std::string& what) const { desk("xdotool " + what); }
 
+  /// The screen's only monitor: "--off", "--auto". Xvfb has no screen without any pixels, which
+  /// xrandr asks for in the end and is an error of it.
+  void plug(const std::string& how) const {
+    (void)std::system(
+        ("DISPLAY=" + display_ + " xrandr --output screen " + how + " >/dev/null 2>&1").c_str());
+  }
+
   /// How the window ended; -1 if it did not.
   int ended() {
     int status = 0;

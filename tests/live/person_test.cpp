@@ -133,6 +133,36 @@ TEST_F(Person, presses_the_recipes_key_and_changes_a_parameter) {
   EXPECT_EQ(ended(), 0) << said();
 }
 
+// As after a context that was lost, which no software driver does on its own.
+TEST_F(Person, gets_another_window_with_everything_as_it_was) {
+  copy_recipe();
+  write("mine.lua", "print \"loaded\"\n" + recipe());
+  const image::Image expected = picture("--set darkness=0");
+  open(std::string("mine.lua") + options);
+  const auto loaded = [&](std::size_t times) {
+    return soon([&] {
+      const std::string text = said();
+      std::size_t count = 0;
+      for (auto at = text.find("loaded"); at != std::string::npos; at = text.find("loaded", at + 1))
+        ++count;
+      return count == times;
+    });
+  };
+  EXPECT_TRUE(loaded(2)) << "by run, and by the window";
+  show_alone();
+  press("s");
+  EXPECT_TRUE(soon([&] { return shows(expected); }));
+  press("Down Down");
+  EXPECT_TRUE(soon([&] { return title().find(" - 2. ") != std::string::npos; }));
+  press("ctrl+F5");
+  EXPECT_TRUE(loaded(3));
+  EXPECT_TRUE(soon([&] { return title().find(" - 2. ") != std::string::npos; })) << title();
+  press("Home");
+  EXPECT_TRUE(soon([&] { return shows(expected); }));
+  press("Escape");
+  EXPECT_EQ(ended(), 0) << said();
+}
+
 // The light is where the camera looks, so in the picture's middle.
 TEST_F(Person, drags_the_light) {
   fs::create_directory(folder / "scenes");
@@ -170,6 +200,26 @@ TEST_F(Person, drags_the_light) {
   const std::regex moved("light 0\\.[1-9]\\d 0\\.[1-9]\\d -?0\\.00");
   EXPECT_TRUE(soon([&] { return std::regex_search(said(), moved); })) << said();
   press("ctrl+Left");
+  press("Escape");
+  EXPECT_EQ(ended(), 0) << said();
+}
+
+TEST_F(Person, unplugs_the_monitor_of_a_full_screen_and_plugs_it_in_again) {
+  if (!installed("xrandr")) GTEST_SKIP() << "needs xrandr (packages.txt)";
+  copy_recipe();
+  open(std::string("mine.lua") + options);
+  show_alone();
+  const image::Image expected = picture();
+  press("F11");
+  EXPECT_TRUE(soon([&] { return shows(expected); }));
+  plug("--off");
+  press("s");
+  EXPECT_TRUE(runs()) << said();
+  const image::Image changed = picture("--set darkness=0");
+  EXPECT_TRUE(soon([&] { return shows(changed); })) << "the window is there without a monitor";
+  plug("--auto");
+  press("s");
+  EXPECT_TRUE(soon([&] { return shows(expected); }));
   press("Escape");
   EXPECT_EQ(ended(), 0) << said();
 }

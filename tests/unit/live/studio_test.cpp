@@ -156,6 +156,67 @@ TEST_F(StudioTest, the_chosen_pass_and_the_camera_survive_a_reload) {
   EXPECT_EQ(studio->bench().workshop.recipe()->scene()->camera.eye, camera.eye);
 }
 
+// The frames in which a new version warms up come first.
+TEST_F(StudioTest, a_recipe_that_does_not_ask_for_the_time_stands_still) {
+  const auto text = [](const char* read) {
+    return std::string("local recipe = { params = { a = param.number(0, 0, 1) } }\n") +
+           "function recipe.draw(r) print(" + read + ") end\nreturn recipe\n";
+  };
+  write("still.lua", text("r.params.a"));
+  write("moving.lua", text("r.time"));
+  for (const bool moving : {false, true}) {
+    int frames = 0;
+    StudioOptions wanted{{folder / (moving ? "moving.lua" : "still.lua")}, {}, {}};
+    wanted.recipe.print = [&frames](std::string_view) { ++frames; };
+    Studio session(small, wanted);
+    for (int i = 0; i < 10; ++i) session.step(frame);
+    const int warm = frames;
+    for (int i = 0; i < 10; ++i) session.step(frame);
+    EXPECT_EQ(frames - warm, moving ? 10 : 0);
+    session.set("a", "0.5");
+    session.step(frame);
+    EXPECT_EQ(frames - warm, moving ? 11 : 1);
+  }
+}
+
+TEST_F(StudioTest, recipes_of_one_scene_begin_under_the_first_ones_light) {
+  const auto studio = this->studio({stock("projected_stencil"), stock("volumes_zfail")});
+  studio->step(0);
+  const glm::dvec4 first = *studio->light();
+  studio->set_focus(1);
+  EXPECT_EQ(*studio->light(), first);
+}
+
+TEST_F(StudioTest, the_state_of_a_pass_is_there_when_a_version_has_it_elsewhere) {
+  const auto text = [](const char* first) {
+    return std::string("local recipe = {}\nfunction recipe.draw(r)\n") + first +
+           "pass(\"b\", function() gl.Enable(gl.BLEND) end)\nend\nreturn recipe\n";
+  };
+  write("a.lua", text(""));
+  const auto studio = this->studio({folder / "a.lua"});
+  for (int i = 0; i < 5; ++i) studio->step(0);
+  studio->step_pass(1);
+  write("a.lua", text("pass(\"x\", function() end) pass(\"y\", function() end)\n"));
+  while (studio->bench().workshop.versions() < 2) studio->step(0);
+  for (int i = 0; i < 5; ++i) studio->step(0);
+  ASSERT_EQ(studio->inspector().passes().size(), 3u);
+  EXPECT_TRUE(studio->inspector().passes()[2].state);
+}
+
+TEST_F(StudioTest, another_session_takes_over_what_was_done_in_the_first) {
+  const auto first = this->studio({stock("projected_stencil")});
+  first->step(0);
+  first->set("darkness", "0.75");
+  first->set_camera(orbited(*first->camera(), 30, 10));
+  first->step_pass(2);
+  Studio second(small, {{stock("projected_stencil")}, {}, {}}, first->kept());
+  second.step(0);
+  EXPECT_EQ(second.camera()->eye, first->camera()->eye);
+  EXPECT_EQ(second.chosen_pass(), first->chosen_pass());
+  const auto& parameters = second.bench().workshop.recipe()->parameters();
+  EXPECT_EQ(lua::text_of(parameters[0].parameter), "0.75");
+}
+
 TEST_F(StudioTest, the_light_of_one_recipe_is_the_light_of_all) {
   const auto studio = this->studio({stock("projected_plain"), stock("projected_stencil")});
   studio->step(0);
@@ -197,6 +258,23 @@ TEST_F(StudioTest, keys_do_what_the_help_says) {
   EXPECT_FALSE(press(context::Key::character, {}, 'z'));
   EXPECT_TRUE(studio->press("s"));
   EXPECT_FALSE(studio->press("z"));
+}
+
+TEST_F(StudioTest, the_numbers_of_the_whole_frame_are_there_when_it_is_enlarged) {
+  const auto studio = this->studio({stock("projected_stencil")});
+  Interface interface(small);
+  gl::Screen screen(small);
+  View view;
+  for (const double zoom : {1.0, 100.0}) {
+    view.picture.set_zoom(zoom);
+    interface.begin({640, 400}, frame);
+    draw_window(*studio, view, interface);
+    screen.begin(640, 400, {0, 0, 0});
+    interface.end(screen);
+    studio->step(0);
+    EXPECT_EQ(studio->inspector().buffers().color.rgba.empty(), zoom == 1);
+  }
+  EXPECT_EQ(studio->inspector().buffers().color, small.frame.read_color());
 }
 
 TEST_F(StudioTest, a_window_of_one_pixel_is_drawn) {
