@@ -54,7 +54,7 @@ test("triangles_through_each_other_at_random_are_the_truth", function()
   local soup = mesh.new{ positions = positions, indices = indices }
   local truth
   for _, from in ipairs(lights) do truth = given.expect_truth(alone(soup), from, "soup") end
-  ours("60 triangles, any way round: the truth", given.draw("volumes_zfail", alone(soup), light))
+  ours("60 triangles, any way round: the truth", given.draw("volumes_zfail", alone(soup), lights[3]))
   local picture = listing.prisms(alone(soup), lights[3], 1000)
   local _, beyond = given.wrong(picture, truth)
   expect(beyond > 20, beyond)
