@@ -2615,9 +2615,9 @@ function shadow.infinite_perspective(fovy, aspect, near) end
 ---@return any
 function shadow.light_view(light, scene, values) end
 
----The least bias without acne for a map of size × size texels drawn with this projection and read by a filter so many texels wide (1 unless given): factor and units for gl.PolygonOffset, or normal_offset · sin θ along the receiver's normal, θ being the angle from normal to light, and texel the side of a texel; both in metres, under a perspective for each metre along its axis. read: whether anybody reads such a map, which under run --plan is so only where a caster may shadow what is seen; it need not be made otherwise.
+---The least bias without acne for a map of size × size texels drawn with this projection and read by a filter so many texels wide (1 unless given): factor and units for gl.PolygonOffset and reach, how far a lookup is from what it reads, over the map: a receiver takes off as much as its own plane climbs on that way; or normal_offset · sin θ along the receiver's normal, θ being the angle from normal to light, and texel the side of a texel; both in metres, under a perspective for each metre along its axis. read: whether anybody reads such a map, which under run --plan is so only where a caster may shadow what is seen; it need not be made otherwise.
 ---
----`shadow.map_bias(projection, size, filter) -> {factor, units, normal_offset, texel, read}`
+---`shadow.map_bias(projection, size, filter) -> {factor, units, reach, normal_offset, texel, read}`
 ---@return table
 function shadow.map_bias(projection, size, filter) end
 
@@ -2658,6 +2658,12 @@ function shadow.depth_present(camera) end
 ---`shadow.cascades(camera, light, n, {lambda = 0.5, stable = false, around = "parts"|"camera", size = 1024, near = , far = }) -> { {near = , far = , view = , projection = , read = boolean}, … }`
 ---@return table
 function shadow.cascades(camera, light, n, values) end
+
+---A map without aliasing, for a light's view and projection: which casters' triangles can shadow a point of each of cells × cells. triangles, ranges and list are textures, each { bytes = , width = , height = } of floats. triangles: RGBA, 1024 a row, 16 for each triangle of the scene's objects in their order: its plane and the planes through its edges and the light, positive where the light is and inside; the next bits of these; corners a, b, c, each followed by its next bits; two of zeros; relative to origin, a vec3. ranges: RG, for each cell where its numbers begin in the list and how many there are. list: R, 1024 a row. longest: the most numbers that a cell has; listed: all.
+---
+---`shadow.triangle_grid(light, scene, view, projection, cells) -> { origin, triangles, ranges, list, longest, listed }`
+---@return table
+function shadow.triangle_grid(light, scene, view, projection, cells) end
 
 ---The shadow volume of a mesh, or of a scene's object (model may then be nil). The three edges are the lecture's stages: wrong, better, right. Draw it with a shader whose vertex stage extrudes, as shader.load "volume".
 ---

@@ -89,15 +89,16 @@ function recipe.draw(r)
   local maps = recipe.maps(r)
   local view, projection = camera:view(), camera:projection(r.width / r.height)
   local to_texture, from_eye = shadow.bias_matrix(), view:inverse()
-  local matrices, ends = {}, {}
+  local matrices, ends, reach = {}, {}, 0
   local layers = map_array.layers_of(r, size, maps)
 
   for i, map in ipairs(maps) do
     if layers[i] >= 0 then
       pass("1. map " .. i .. " of " .. #maps, function()
+        local bias = shadow.map_bias(map.projection, size)
+        reach = bias.reach   -- the same for all, of one size
         local casters = map.casters and all_of(map.casters) or scene.caster
-        map_pass.draw(r, r.frames[layers[i] + 1], size, casters, r.depth, map.view, map.projection,
-                      shadow.map_bias(map.projection, size))
+        map_pass.draw(r, r.frames[layers[i] + 1], size, casters, r.depth, map.view, map.projection, bias)
       end)
     end
     matrices[i] = to_texture * map.projection * map.view * from_eye
@@ -111,7 +112,7 @@ function recipe.draw(r)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_maps = 0, tint = r.params.tint,
-      light_matrices = matrices, ends = ends, layers = layers, count = #maps,
+      light_matrices = matrices, reach = reach, ends = ends, layers = layers, count = #maps,
       choice = ({ view = 0, camera = 1, groups = 2 })[r.params.by],
     })
   end)

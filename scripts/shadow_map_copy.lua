@@ -12,8 +12,8 @@ local recipe = {
   params  = {
     light = param.point(2, 4, 1),
     size  = param.integer(1024, 16, 4096),
-    -- What keeps lit surfaces from shadowing themselves: the offset that shadow.map_bias gives, the
-    -- lecture's 1, 1, or its constant in the shader.
+    -- What keeps lit surfaces from shadowing themselves: the offsets that shadow.map_bias gives, of the
+    -- map and of the fragment, the lecture's 1, 1, or its constant in the shader.
     bias  = param.choice("recommended", "offset 1,1", "constant 0.01"),
   },
   sweep   = { size = { 256, 512, 1024, 2048, 4096 } },
@@ -51,16 +51,16 @@ end
 function recipe.draw(r)
   local scene, light, size = r.scene, r.params.light, r.params.size
   local light_view, light_projection = shadow.light_view(light, scene)
+  local bias = shadow.map_bias(light_projection, size)
 
   pass("1. the shadow map: the scene as the light sees it, copied into the texture", function()
     gl.Enable(gl.DEPTH_TEST)
     gl.ColorMask(false, false, false, false)
     gl.BindTexture(gl.TEXTURE_2D, r.map)
     if r.params.bias ~= "constant 0.01" then
-      local bias = shadow.map_bias(light_projection, size)
-      if r.params.bias == "offset 1,1" then bias = { factor = 1, units = 1 } end
       gl.Enable(gl.POLYGON_OFFSET_FILL)
-      gl.PolygonOffset(bias.factor, bias.units)
+      if r.params.bias == "offset 1,1" then gl.PolygonOffset(1, 1)
+      else gl.PolygonOffset(bias.factor, bias.units) end
     end
     for y = 0, size - 1, r.height do
       for x = 0, size - 1, r.width do
@@ -85,6 +85,7 @@ function recipe.draw(r)
     local light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse()
     draw_lit(scene, r.mapped, { view = view, projection = projection, light = light,
                                 light_matrix = light_matrix, shadow_map = 0,
+                                reach = r.params.bias == "recommended" and bias.reach or 0,
                                 bias = r.params.bias == "constant 0.01" and 0.01 or 0 })
   end)
 end

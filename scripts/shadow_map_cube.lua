@@ -120,6 +120,7 @@ function recipe.draw(r)
     gl.BindTexture(gl.TEXTURE_CUBE_MAP, cube)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0, near = near, far = far,
+      reach = 2 * bias.reach,   -- a face is two wide at distance 1
       light_matrix = mat4.translate(-light.xyz / light.w) * view:inverse(),
     })
   end)

@@ -16,7 +16,8 @@ local recipe = {
     -- The light's projection: fitted to what matters, or the lesson's ortho(-10, 10, -10, 10, 1, 7.5)
     -- seen from the light's direction.
     coverage = param.choice("fitted", "lesson"),
-    -- Against acne: an offset of the map's depths, or of the fragment's place along its normal.
+    -- Against acne: an offset of the map's depths and of the fragment's, each by its own slope, or of the
+    -- fragment's place along its normal.
     bias     = param.choice("offset", "normal", "none"),
     -- A map that holds all shadows, not only those in view, is drawn again only where the light or a
     -- caster has moved: every camera and every frame share it.
@@ -104,6 +105,7 @@ function recipe.draw(r)
       view = view, projection = projection, light = light, shadow_map = 1,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
       normal_offset = r.params.bias == "normal" and bias.normal_offset or 0,
+      reach = r.params.bias == "offset" and bias.reach or 0,
     })
   end)
 end

@@ -107,6 +107,7 @@ function recipe.draw(r)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
+      reach = (r.params.hardware and 1 or 0.5) / size,
       taps = #taps, places = taps, texel = 1 / size, rotated = r.params.pattern == "rotated",
     })
   end)

@@ -56,9 +56,9 @@ function recipe.draw(r)
   if defect == "near_too_near" and light.w > 0 then
     light_projection = with_near(light_projection, near / 1e6, far)
   end
+  local bias = defect ~= "acne" and shadow.map_bias(light_projection, size) or nil
 
   pass("1. the map" .. (defect ~= "none" and ", with " .. defect or ""), function()
-    local bias = defect ~= "acne" and shadow.map_bias(light_projection, size) or nil
     map_pass.draw(r, r.fbo, size, scene.caster, r.depth, light_view, light_projection, bias)
   end)
 
@@ -70,7 +70,7 @@ function recipe.draw(r)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
-      bias = defect == "peter_panning" and 0.3 or 0,
+      reach = bias and bias.reach or 0, bias = defect == "peter_panning" and 0.3 or 0,
     })
   end)
 end

@@ -36,7 +36,6 @@ end
 function recipe.draw(r)
   local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
   local light_view, light_projection = shadow.light_view(light, scene)
-
   local bias = shadow.map_bias(light_projection, size)
   local map = map_pass.kept(r, bias.read, size)
 
@@ -58,6 +57,7 @@ function recipe.draw(r)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
+      reach = r.params.bias == "offset" and bias.reach or 0,
     })
   end)
 end

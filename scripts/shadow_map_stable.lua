@@ -62,14 +62,15 @@ function recipe.draw(r)
   local maps, camera = recipe.maps(r)
   local view, projection = camera:view(), camera:projection(r.width / r.height)
   local to_texture, from_eye = shadow.bias_matrix(), view:inverse()
-  local matrices, ends = {}, {}
+  local matrices, ends, reach = {}, {}, 0
   local layers = map_array.layers_of(r, size, maps)
 
   for i, map in ipairs(maps) do
     if layers[i] >= 0 then
       pass("1. map " .. i .. " of " .. #maps, function()
-        map_pass.draw(r, r.frames[layers[i] + 1], size, scene.caster, r.depth, map.view, map.projection,
-                      shadow.map_bias(map.projection, size))
+        local bias = shadow.map_bias(map.projection, size)
+        reach = bias.reach   -- the same for all, of one size
+        map_pass.draw(r, r.frames[layers[i] + 1], size, scene.caster, r.depth, map.view, map.projection, bias)
       end)
     end
     matrices[i] = to_texture * map.projection * map.view * from_eye
@@ -82,7 +83,7 @@ function recipe.draw(r)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, { view = view, projection = projection, light = light, shadow_maps = 0,
-                                light_matrices = matrices, ends = ends, layers = layers, count = #maps })
+                                light_matrices = matrices, reach = reach, ends = ends, layers = layers, count = #maps })
   end)
 end
 

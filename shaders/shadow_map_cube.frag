@@ -2,10 +2,12 @@
 // A point light's six faces in one cube map. The vertex stage's matrix leads to the light's place with
 // the world's axes, so shadow_coord is the way from the light.
 #include "lighting.glsl"
+#include "receiver_plane.glsl"
 in vec4 shadow_coord;
 uniform samplerCubeShadow shadow_map;
 uniform float near;
 uniform float far;
+uniform float reach = 0.0;  // of a lookup, on the plane at distance 1 of a face
 
 void main() {
   vec3 way = shadow_coord.xyz;
@@ -13,6 +15,15 @@ void main() {
   vec3 sizes = abs(way);
   float along = max(max(sizes.x, sizes.y), sizes.z);
   float depth = far * (along - near) / ((far - near) * along);
+  // On the face as a map: s and t are the two other axes over this one, and p is the depth.
+  mat3 to_face = sizes.x == along ? mat3(0, 0, 1, 1, 0, 0, 0, 1, 0)
+               : sizes.y == along ? mat3(0, 1, 0, 0, 0, 1, 1, 0, 0) : mat3(1, 0, 0, 0, 1, 0, 0, 0, 1);
+  vec3 c = to_face * way, x = to_face * dFdx(way), y = to_face * dFdy(way);
+  float front = sign(c.z), scale = far / (far - near);
+  vec2 slope = receiver_slope(vec4(c.xy, scale * (along - near), along),
+                              vec4(x.xy, front * x.z * vec2(scale, 1.0)),
+                              vec4(y.xy, front * y.z * vec2(scale, 1.0)));
+  depth -= climb(slope, vec2(reach));
   float seen = along < near ? 1.0 : texture(shadow_map, vec4(way, depth));
   if (along > far) seen = 1.0;
   fragment = reflected(seen);

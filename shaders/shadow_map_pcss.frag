@@ -5,6 +5,7 @@
 // place. So: search the widest such square for blockers, take their mean depth, filter over the square
 // that this depth gives. For one blocker parallel to the light that is the exact penumbra.
 #include "lighting.glsl"
+#include "receiver_plane.glsl"
 in vec4 shadow_coord;
 uniform sampler2D shadow_map;
 uniform float half_width;          // of the light, metres
@@ -16,14 +17,6 @@ uniform bool sphere = false;
 // The distance along the light's axis of a window depth under its perspective.
 float distance_of(float depth) { return far * near / (far - depth * (far - near)); }
 
-// How depth changes over the map along the receiver's plane, so that a wide filter does not take the
-// plane itself for a blocker (J. Isidoro, Shadow Mapping: GPU-based Tips and Techniques, GDC 2006).
-vec2 receiver_slope(vec3 stp) {
-  vec3 x = dFdx(stp), y = dFdy(stp);
-  float area = x.s * y.t - x.t * y.s;
-  return abs(area) < 1e-20 ? vec2(0.0) : vec2(x.p * y.t - y.p * x.t, y.p * x.s - x.p * y.s) / area;
-}
-
 // Tap k, in [-1, 1]²: a grid for the square; for the sphere, points of its surface as seen from afar, in
 // a spiral by the golden angle (their heights are spread evenly, by Archimedes).
 vec2 place(int k) {
@@ -34,7 +27,8 @@ vec2 place(int k) {
 
 void main() {
   vec3 stp = shadow_coord.stp / shadow_coord.q;
-  vec2 slope = receiver_slope(stp);
+  // A wide filter must not take the plane itself for a blocker.
+  vec2 slope = receiver_slope(shadow_coord, dFdx(shadow_coord), dFdy(shadow_coord));
   float receiver = shadow_coord.q;
   float seen = 1.0;
   if (receiver > near && stp.p < 1.0) {

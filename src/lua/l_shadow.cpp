@@ -112,6 +112,8 @@ void open_shadow(Stage& stage) {
   lua_newtable(L);
   set_functions(L, functions);
   set_functions(L, map_functions());
+  set_functions(L, cascade_functions());
+  set_functions(L, triangle_grid_functions());
   set_functions(L, volume_functions());
   set_functions(L, silhouette_functions());
   set_functions(L, plan_functions());

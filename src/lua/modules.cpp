@@ -34,6 +34,8 @@ std::vector<Module> all_modules() {
   modules.push_back({"scene", "The catalogue of scripts/scenes.", scene_functions()});
   modules.push_back({"shadow", "The subject, in double precision.", shadow_functions()});
   modules.push_back({"shadow", "Shadow maps.", map_functions()});
+  modules.push_back({"shadow", "Several maps for one view.", cascade_functions()});
+  modules.push_back({"shadow", "A map of triangles.", triangle_grid_functions()});
   modules.push_back({"shadow", "Shadow volumes.", volume_functions()});
   modules.push_back({"shadow", "Casters as the light sees them.", silhouette_functions()});
   modules.push_back({"shadow", "Shadow volumes made on the GPU.", extrusion_functions()});

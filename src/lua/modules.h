@@ -41,6 +41,8 @@ std::span<const Entry> object_methods();
 std::span<const Entry> camera_methods();
 std::span<const Entry> shadow_functions();
 std::span<const Entry> map_functions();
+std::span<const Entry> cascade_functions();
+std::span<const Entry> triangle_grid_functions();
 std::span<const Entry> plan_functions();
 std::span<const Entry> volume_functions();
 std::span<const Entry> volume_methods();

@@ -20,7 +20,7 @@ MapBias map_bias(const glm::dmat4& projection, double size, double filter) {
   // The map rounds to 2^-24, by half a unit; the lookup's depth is a float near 1, of 2^-24 too,
   // after a matrix and a division: a few of them.
   constexpr double units = 4;
-  return {2 * reach, units, std::sqrt(2.0) * reach * texel, texel};
+  return {2 * reach, units, std::sqrt(2.0) * reach * texel, texel, reach / size};
 }
 
 }  // namespace shadowlab::shadow

@@ -13,10 +13,15 @@ namespace shadowlab::shadow {
 ///   reach · (|∂z/∂x| + |∂z/∂y|)  <=  2 reach · m,    m = max(|∂z/∂x|, |∂z/∂y|) a texel,
 ///
 /// so glPolygonOffset(2 reach, units) while the map is drawn lifts every texel's depth past every
-/// lit fragment that it is compared with (OpenGL 4.5, section 14.6.5, equation 14.13, whose m this
-/// is). `units` covers what rounding does to either depth. In the world the same is a move of the
-/// receiver along its normal: a plane turned by θ from the light has slope tan θ, the farthest way
-/// over a texel is √2 reach, and a step δ along the normal gains δ / cos θ toward the light, so
+/// lit fragment of its plane that it is compared with (OpenGL 4.5, section 14.6.5, equation 14.13,
+/// whose m this is). `units` covers what rounding does to either depth. Where the texel's centre is
+/// on another plane than the fragment, beyond a rim, that lifts by the other's slope; so the
+/// fragment takes off its own climb as well, reach · (|∂z/∂s| + |∂z/∂t|)
+/// (shaders/receiver_plane.glsl).
+///
+/// In the world the same is a move of the receiver along its normal: a plane turned by θ from the
+/// light has slope tan θ, the farthest way over a texel is √2 reach, and a step δ along the normal
+/// gains δ / cos θ toward the light, so
 ///
 ///   δ = √2 · reach · texel · sin θ
 ///
@@ -27,6 +32,7 @@ struct MapBias {
   double units;          ///< of glPolygonOffset
   double normal_offset;  ///< times sin θ: metres, or metres a metre along the axis of a perspective
   double texel;          ///< a texel's side in the same unit
+  double reach;          ///< of a lookup, over the map's side
 };
 
 /// For a square map of `size` texels drawn with `projection` (a LightView's), looked up by a filter

@@ -1,13 +1,15 @@
 // What shadow maps cost. bench_maps prints what they are worth.
 //
-//   bench_map_costs [--quick] [ratios] [fill]
+//   bench_map_costs [--quick] [ratios] [exact] [fill]
 //
 // ratios  of medians, things in turns: a map copied against one in a framebuffer, filters against
 //         their taps, a cube's faces left out or not
+// exact   the map without aliasing against shadow volumes, the same picture: under a still light,
+//         whose grid is kept, and under one that moves in every frame
 // fill    each pass against the fill limit of this machine; docs/figures.md explains what is over
 //         1.5
 //
-// Both where none is named. --quick: a smaller frame and fewer repetitions.
+// All where none is named. --quick: a smaller frame and fewer repetitions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,6 +52,7 @@ class Timed {
     }
     times_.push_back(sum);
   }
+  void forget() { times_.clear(); }
   double ms() const { return measure::median(times_); }
 
  private:
@@ -140,6 +143,59 @@ void ratios_table(bool quick) {
   faces(graphics, frames);
 }
 
+// ---- the map without aliasing against volumes
+
+bool is_any(const std::string&) { return true; }
+
+struct Against {
+  double exact, volumes;
+};
+
+Against exact_against_volumes(gl::Graphics& graphics, const std::string& scene, bool moving,
+                              int frames) {
+  std::vector<std::unique_ptr<Timed>> things;
+  // A grid that is kept may be fine.
+  const Settings cells{{"cells", moving ? "128" : "512"}};
+  things.push_back(std::make_unique<Timed>(graphics, "shadow_map_exact", scene, cells, is_any));
+  things.push_back(std::make_unique<Timed>(graphics, "volumes_zfail", scene, Settings{}, is_any));
+  const glm::dvec4 light = things[0]->recipe().light();
+  for (auto& thing : things) thing->forget();
+  for (int i = 0; i < frames; ++i) {
+    for (auto& thing : things) {
+      if (moving) thing->recipe().set_light(light + glm::dvec4(0.001 * (i + 1), 0, 0, 0));
+      thing->draw();
+    }
+  }
+  return {things[0]->ms(), things[1]->ms()};
+}
+
+void exact_table(bool quick) {
+  const int size = quick ? 256 : 512;
+  gl::Graphics graphics(context::create(), size, size);
+  fmt::print("The map without aliasing against volumes_zfail, frames of {0} x {0}, ms\n", size);
+  fmt::print("{:<9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>9} {:>7}\n", "scene", "triangles", "exact",
+             "volumes", "ratio", "moving", "volumes", "ratio");
+  std::vector<std::string> scenes;
+  for (const auto& file : std::filesystem::directory_iterator(home() / "scripts" / "scenes"))
+    scenes.push_back(file.path().stem().string());
+  std::ranges::sort(scenes);
+  for (const std::string& scene : scenes) {
+    recipe::Options options;
+    options.scene = scene;
+    const recipe::Recipe counted(graphics, file_of("shadow_map_exact"), options);
+    std::size_t triangles = 0;
+    for (const auto& object : counted.scene()->objects)
+      triangles += object.casts() ? object.mesh->triangle_count() : 0;
+    const Against still = exact_against_volumes(graphics, scene, false, quick ? 3 : 7);
+    const Against moving = exact_against_volumes(graphics, scene, true, quick ? 3 : 7);
+    fmt::print("{:<9} {:>9} {:>9.1f} {:>9.1f} {:>7.2f} {:>9.1f} {:>9.1f} {:>7.2f}\n", scene,
+               triangles, still.exact, still.volumes, still.exact / still.volumes, moving.exact,
+               moving.volumes, moving.exact / moving.volumes);
+    std::fflush(stdout);
+  }
+  fmt::print("\n");
+}
+
 // ---- passes against the fill limit
 
 void fill_table(bool quick) {
@@ -180,5 +236,6 @@ int main(int count, char** arguments) {
   const bool quick = words.erase("--quick") > 0;
   const auto wanted = [&](const char* part) { return words.empty() || words.contains(part); };
   if (wanted("ratios")) ratios_table(quick);
+  if (wanted("exact")) exact_table(quick);
   if (wanted("fill")) fill_table(quick);
 }

@@ -1,14 +1,16 @@
 // What shadow maps are worth: wrong pixels. bench_map_costs prints what they cost.
 //
-//   bench_maps [--quick] [sizes] [cascades]
+//   bench_maps [--quick] [sizes] [scenes] [cascades]
 //
 // sizes     wrong pixels of each map recipe against the exact truth, maps of 256 to 4096 texels a
 //           side, over several scenes; the exponent is the slope of the line through the
 //           logarithms: -1 where what is wrong is a strip along the shadows' edges, a texel wide
+// scenes    the same for each scene of the catalogue, one view of 128 x 128; the map without
+//           aliasing, which has no size, beside them
 // cascades  four maps against one of as many texels: wrong pixels among the nearer and the farther
 //           half of what the camera sees
 //
-// Both where none is named. --quick: a smaller frame, fewer sizes, scenes and views.
+// sizes and cascades where none is named. --quick: a smaller frame, fewer sizes, scenes and views.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,6 +56,7 @@ const std::vector<MapRecipe>& map_recipes() {
       {"shadow_map_copy", {}},
       {"shadow_map_fbo", {}},
       {"shadow_map_sampler", {}},
+      {"shadow_map_problems", {}},
       {"shadow_map_pcf", {}},
       {"shadow_map_cube", {}},
       {"shadow_map_cascades", {}},
@@ -79,13 +82,36 @@ void print_row(const std::string& recipe, const std::string& scene, int views,
   std::fflush(stdout);
 }
 
-void sizes_table(bool quick) {
-  const int side = quick ? 128 : 256;
-  const std::vector<double> sizes = quick ? std::vector<double>{256, 1024, 4096}
-                                          : std::vector<double>{256, 512, 1024, 2048, 4096};
-  const std::vector<std::string> scenes =
-      quick ? std::vector<std::string>{"table", "city"}
-            : std::vector<std::string>{"table", "tetra", "cornell", "comb", "city"};
+struct Extent {
+  int side, views;  // of the pictures, and how many in each scene
+  std::vector<double> sizes;
+  std::vector<std::string> scenes;
+};
+
+std::vector<std::string> catalogue() {
+  std::vector<std::string> scenes;
+  for (const auto& file : std::filesystem::directory_iterator(home() / "scripts" / "scenes"))
+    scenes.push_back(file.path().stem().string());
+  std::ranges::sort(scenes);
+  return scenes;
+}
+
+void exact_row(gl::Graphics& graphics, const Extent& extent) {
+  std::size_t wrong = 0;
+  int views = 0;
+  for (const std::string& scene : extent.scenes) {
+    measure::CheckOptions options;
+    options.scene = scene;
+    options.views = extent.views;
+    options.per_pixel = 1;
+    const auto result = measure::check(graphics, file_of("shadow_map_exact"), options);
+    views += result.views, wrong += result.wrong;
+  }
+  fmt::print("{:<18} {:<8} {:>5} {:>7}, whatever its cells\n", "exact", "all", views, wrong);
+}
+
+void sizes_table(const Extent& extent) {
+  const auto& [side, views_each, sizes, scenes] = extent;
   gl::Graphics graphics(context::create(), side, side);
   fmt::print("Wrong pixels of {0} x {0}, views summed, against the side of the map\n", side);
   fmt::print("{:<18} {:<8} {:>5}", "recipe", "scene", "views");
@@ -102,7 +128,7 @@ void sizes_table(bool quick) {
         options.scene = scene;
         options.settings = recipe.settings;
         options.settings.emplace_back("size", fmt::format("{}", sizes[i]));
-        options.views = quick ? 1 : 3;
+        options.views = views_each;
         options.per_pixel = 1;  // what is wrong at an edge counts here as any other
         result = measure::check(graphics, file_of(recipe.name), options);
         wrong[i] = static_cast<double>(result.wrong);
@@ -114,6 +140,7 @@ void sizes_table(bool quick) {
     }
     print_row(title_of(recipe), "all", views, sizes, all);
   }
+  exact_row(graphics, extent);
   fmt::print("\n");
 }
 
@@ -227,6 +254,10 @@ int main(int count, char** arguments) {
   std::set<std::string> words(arguments + 1, arguments + count);
   const bool quick = words.erase("--quick") > 0;
   const auto wanted = [&](const char* part) { return words.empty() || words.contains(part); };
-  if (wanted("sizes")) sizes_table(quick);
+  const std::vector<double> sizes{256, 512, 1024, 2048, 4096};
+  if (wanted("sizes") && quick) sizes_table({128, 1, {256, 1024, 4096}, {"table", "city"}});
+  if (wanted("sizes") && !quick)
+    sizes_table({256, 3, sizes, {"table", "tetra", "cornell", "comb", "city"}});
+  if (words.contains("scenes")) sizes_table({128, 1, sizes, catalogue()});
   if (wanted("cascades")) cascades_table(quick);
 }

@@ -164,6 +164,7 @@ TEST(MapBias, covers_a_plane_over_the_filters_reach_and_no_more_than_needed) {
         const double change = reach * (std::abs(x) + std::abs(y));
         const double m = std::max(std::abs(x), std::abs(y)) * bias.texel;
         EXPECT_LE(change, bias.factor * m);
+        EXPECT_LE(change, 8 * bias.reach * (std::abs(x) + std::abs(y)));
         const double gained =
             bias.normal_offset * std::sin(glm::radians(degrees)) / std::cos(glm::radians(degrees));
         EXPECT_LE(change, gained + 1e-15);
