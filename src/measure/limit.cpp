@@ -230,15 +230,20 @@ class Places {
         .surfaces[0];
   }
 
+  // Of a plane over the light's rays.
+  double slope(glm::dvec3 normal) const {
+    const double cosine = std::abs(glm::dot(normal, toward_));
+    return std::sqrt(std::max(0.0, 1 - cosine * cosine)) / std::max(cosine, 1e-12);
+  }
+
   // A place in the dark is lit where what hides it from the light was pushed past it.
   bool under_the_offset() const {
     if (!lit_ || (limit_.across == 0 && limit_.light_units == 0)) return false;
     const truth::Surface first = first_before();
     if (!first.hit()) return true;  // edge on, or the surface itself
-    const double cosine = std::abs(glm::dot(first.normal, toward_));
-    const double slope = std::sqrt(std::max(0.0, 1 - cosine * cosine)) / std::max(cosine, 1e-12);
+    // The caster is pushed by its slope, and the place itself takes off what its plane climbs.
     const double offset =
-        2 * limit_.across * away_ * slope +
+        limit_.across * away_ * (2 * slope(first.normal) + slope(at_.normal)) +
         limit_.light_units *
             (light_.w == 0 ? 0x1p-24 * limit_.light_range : depth_step(away_, limit_.light_near));
     return glm::dot(first.point - at_.point, toward_) <= offset;
