@@ -1,9 +1,10 @@
 // Splits and cascades, and the bias of a map.
 #include "shadow/cascades.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.h"
 #include "shadow/map_bias.h"
@@ -178,6 +179,23 @@ TEST(MapBias, covers_a_plane_over_the_filters_reach_and_no_more_than_needed) {
   }
   EXPECT_THROW(map_bias(projection, 0, 1), InputError);
   EXPECT_THROW(map_bias(projection, 512, 0.5), InputError);
+}
+
+// What a vertex shader's floats make of a depth, of either of the two that are compared: half the
+// units, each 2^-24.
+TEST(MapBias, covers_the_rounding_of_depths_from_however_far_a_light) {
+  for (const double distance : {2.0, 1e2, 1e4, 1e6}) {
+    const dmat4 projection = glm::perspective(2 / distance, 1.0, distance - 1, distance + 1);
+    const double units = map_bias(projection, 512, 1).units;
+    for (int i = 0; i <= 1000; ++i) {
+      const auto z = static_cast<float>(-(distance - 1 + 2 * i / 1000.0));
+      const double exact = -(projection[2][2] * double(z) + projection[3][2]) / double(z) / 2;
+      const float drawn =
+          -(static_cast<float>(projection[2][2]) * z + static_cast<float>(projection[3][2])) / z /
+          2;
+      ASSERT_LE(std::abs(double(drawn) - exact), units / 2 * 0x1p-24) << distance << ' ' << i;
+    }
+  }
 }
 
 }  // namespace
