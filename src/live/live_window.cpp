@@ -65,8 +65,7 @@ class LiveWindow {
   }
 
   void hear(double seconds) {
-    for (context::Event& event : opened_->window.events(seconds))
-      heard_.push_back(std::move(event));
+    for (const context::Event& event : opened_->window.events(seconds)) heard_.push_back(event);
   }
 
   // While a script runs the window goes on listening, so that no script holds it: what is asked of

@@ -110,7 +110,7 @@ std::span<const std::uint32_t> unlit_sides(const Volume& volume, const glm::dmat
   kept.indices.reserve(3 * (last - first));
   for (std::size_t i = first; i < last; ++i) {
     const auto& [a, b, c] = faces.triangles()[i];
-    const int toward_eye = kept.toward_eye[i - first];
+    const std::int8_t toward_eye = kept.toward_eye[i - first];
     if (kept.toward_light[i - first] * toward_eye < 0 && (toward_eye > 0 || !front_alone))
       kept.indices.insert(kept.indices.end(), {2 * a, 2 * b, 2 * c});
   }
