@@ -66,9 +66,7 @@ function recipe.maps(r)
 end
 
 function recipe.limit(r)
-  local projections = {}
-  for i, map in ipairs(recipe.maps(r)) do projections[i] = map.projection end
-  return map_limit(projections, r.params.size)
+  return map_limit(recipe.maps(r), r.params.size)
 end
 
 -- A list of objects drawn as one.

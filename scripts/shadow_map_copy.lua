@@ -26,7 +26,7 @@ end
 
 function recipe.limit(r)
   local _, projection = shadow.light_view(r.params.light, r.scene)
-  return map_limit({ projection }, r.params.size)
+  return map_limit({ { projection = projection } }, r.params.size)
 end
 
 function recipe.setup(r)

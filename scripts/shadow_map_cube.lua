@@ -34,7 +34,7 @@ local targets = {
 
 function recipe.limit(r)
   local near, far = shadow.cube_range(r.params.light, r.scene, { fit = r.params.keep and "scene" or "view" })
-  return map_limit({ shadow.cube_faces(r.params.light, near, far)[1].projection }, r.params.size)
+  return map_limit({ shadow.cube_faces(r.params.light, near, far)[1] }, r.params.size)
 end
 
 -- Of six faces that have one size: GL takes no cube without each.

@@ -33,7 +33,7 @@ end
 -- A bound, far above what two floats leave: 1e-5 of the map's side, and 34 steps of 24 bits in depth.
 function recipe.limit(r)
   local _, projection = shadow.light_view(r.params.light, r.scene)
-  local limit = map_limit({ projection }, 1e5)
+  local limit = map_limit({ { projection = projection } }, 1e5)
   limit.light_units = 34
   return limit
 end

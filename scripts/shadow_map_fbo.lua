@@ -32,7 +32,7 @@ end
 
 function recipe.limit(r)
   local _, projection = shadow.light_view(r.params.light, r.scene, { fit = r.params.keep and "scene" or "view" })
-  return map_limit({ projection }, r.params.size)
+  return map_limit({ { projection = projection } }, r.params.size)
 end
 
 -- The map, made when somebody reads it.

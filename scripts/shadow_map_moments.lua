@@ -25,7 +25,7 @@ end
 -- Of what one blocker hides; where blockers at two depths are under one filter, light leaks without a bound but 1.
 function recipe.limit(r)
   local _, projection = shadow.light_view(r.params.light, r.scene)
-  return map_limit({ projection }, r.params.size, 2 * r.params.reach + 2)
+  return map_limit({ { projection = projection } }, r.params.size, 2 * r.params.reach + 2)
 end
 
 function recipe.setup(r)

@@ -75,7 +75,7 @@ end
 
 function recipe.limit(r)
   local _, projection = shadow.light_view(r.params.light, r.scene)
-  return map_limit({ projection }, r.params.size, r.params.width + 2)
+  return map_limit({ { projection = projection } }, r.params.size, r.params.width + 2)
 end
 
 function recipe.setup(r)

@@ -46,9 +46,7 @@ function recipe.maps(r)
 end
 
 function recipe.limit(r)
-  local projections = {}
-  for i, map in ipairs(recipe.maps(r)) do projections[i] = map.projection end
-  return map_limit(projections, r.params.size)
+  return map_limit((recipe.maps(r)), r.params.size)
 end
 
 function recipe.setup(r)

@@ -16,6 +16,17 @@ local function shade(here, phong, seen, test)
   here:draw(phong, { view = seen.view, projection = seen.projection, light = seen.light, lit = 1, ambient = 0.25 })
 end
 
+-- The first: depths alone, and then nothing but the stencil is written.
+local function depths(here, phong, seen)
+  gl.ClearColor(0.85, 0.88, 0.92, 1)
+  gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
+  gl.Enable(gl.DEPTH_TEST)
+  gl.ColorMask(false, false, false, false)
+  here:draw(phong, seen)
+  gl.DepthMask(false)
+  gl.Enable(gl.STENCIL_TEST)
+end
+
 -- Shadow volumes of every caster's silhouette, depths as they come; `way` is "zpass" or "zfail", `test`
 -- "EQUAL 1" for the slide's.
 function listing.volumes(world, light, way, test)
@@ -25,13 +36,7 @@ function listing.volumes(world, light, way, test)
     local camera = here.camera
     local seen = { view = camera:view(), light = light,
                    projection = shadow.infinite_perspective(camera.fovy, 1, camera.near) }
-    gl.ClearColor(0.85, 0.88, 0.92, 1)
-    gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
-    gl.Enable(gl.DEPTH_TEST)
-    gl.ColorMask(false, false, false, false)
-    here:draw(phong, seen)
-    gl.DepthMask(false)
-    gl.Enable(gl.STENCIL_TEST)
+    depths(here, phong, seen)
     if way == "zpass" then
       gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.KEEP, gl.INCR_WRAP)
       gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.KEEP, gl.DECR_WRAP)
@@ -56,13 +61,7 @@ function listing.prisms(world, light, distance)
     local camera = here.camera
     local seen = { view = camera:view(), light = light,
                    projection = mat4.perspective(camera.fovy, 1, camera.near, 4 * distance) }
-    gl.ClearColor(0.85, 0.88, 0.92, 1)
-    gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT)
-    gl.Enable(gl.DEPTH_TEST)
-    gl.ColorMask(false, false, false, false)
-    here:draw(phong, seen)
-    gl.DepthMask(false)
-    gl.Enable(gl.STENCIL_TEST)
+    depths(here, phong, seen)
     gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.INCR_WRAP, gl.KEEP)
     gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
     for _, caster in ipairs(here.casters) do

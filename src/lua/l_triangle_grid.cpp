@@ -34,7 +34,7 @@ int triangle_grid(lua_State* L) {
   std::size_t corners = 0;
   for (const scene::Object& object : scene->objects) corners += object.mesh->indices.size();
   state.check_budget(corners);
-  const auto grid = shadow::triangle_grid(*scene, light, view, projection, static_cast<int>(cells));
+  const auto grid = shadow::triangle_grid(*scene, light, view, projection, cells);
   state.check_budget(grid.list.size());
   // Numbers are floats to the shader, whose integers end there.
   if (grid.list.size() > (1u << 24)) {

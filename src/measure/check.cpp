@@ -92,16 +92,8 @@ class Comparer {
     scene::Scene seen = scene_;
     seen.camera = view.camera;
     seen.lights.assign(1, {.position = view.light});
-    std::optional<Limits> limits;
-    std::size_t beyond = 0;
-    for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i) {
-      const float drawn = pictures.technique.values[i];
-      if (pictures.edges.values[i] > 0 || std::abs(drawn - pictures.truth.values[i]) <= 0.5f)
-        continue;
-      if (!limits) limits.emplace(seen, *tracer_, recipe_.limit(), graphics_.height());
-      beyond += !limits->allow(surfaces.surfaces[i], drawn > 0.5f);
-    }
-    return beyond;
+    return measure::beyond_limit(seen, *tracer_, recipe_.limit(), pictures.technique,
+                                 pictures.truth, pictures.edges, surfaces);
   }
 
   gl::Graphics& graphics_;

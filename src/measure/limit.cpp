@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace shadowlab::measure {
@@ -275,6 +276,21 @@ Limits::~Limits() = default;
 
 bool Limits::allow(const truth::Surface& surface, bool lit) const {
   return Places(*parts_, surface, lit).any();
+}
+
+std::size_t beyond_limit(const scene::Scene& scene, const truth::Tracer& tracer,
+                         const recipe::Limit& limit, const image::FloatImage& drawn,
+                         const image::FloatImage& truth, const image::FloatImage& edges,
+                         const truth::SurfaceImage& surfaces) {
+  std::optional<Limits> limits;  // they cost more than to look whether anything is wrong
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < drawn.values.size(); ++i) {
+    const float value = drawn.values[i];
+    if (edges.values[i] > 0 || std::abs(value - truth.values[i]) <= 0.5f) continue;
+    if (!limits) limits.emplace(scene, tracer, limit, drawn.height);
+    beyond += !limits->allow(surfaces.surfaces[i], value > 0.5f);
+  }
+  return beyond;
 }
 
 }  // namespace shadowlab::measure

@@ -22,22 +22,26 @@ class Limits {
   /// Whether `lit` can be rightly drawn at a surface of the scene's own view whose truth is the
   /// opposite:
   ///  - another surface is so near behind this one that the depth buffer cannot tell them apart,
-  ///  and
-  ///    is what was drawn;
+  ///    and is what was drawn;
   ///  - an edge of a caster is within 1/128 of a pixel, as the eye or as the light sees it;
   ///  - the light is so near to a surface that a float does not tell which side it is on;
   ///  - along the sight, by the error of the depth that the technique counts against: toward the
-  ///  eye,
-  ///    and on receivers away from it;
+  ///    eye, and on receivers away from it;
   ///  - across the light's rays, where an edge of a caster is within a map's texels and filter;
   ///  - toward the light, by the offset that keeps a map's surfaces from shadowing themselves,
-  ///  which
-  ///    grows with the slope of the caster.
+  ///    which grows with the slopes of the caster and of the surface.
   bool allow(const truth::Surface& surface, bool lit) const;
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// How many pixels of `drawn` are on the wrong side of the truth, at none of its edges, and beyond
+/// `limit`. All pictures are of the scene's own view.
+std::size_t beyond_limit(const scene::Scene& scene, const truth::Tracer& tracer,
+                         const recipe::Limit& limit, const image::FloatImage& drawn,
+                         const image::FloatImage& truth, const image::FloatImage& edges,
+                         const truth::SurfaceImage& surfaces);
 
 }  // namespace shadowlab::measure

@@ -90,13 +90,7 @@ std::size_t wrong_hard(const scene::Scene& scene, const truth::Tracer& tracer,
   std::fill(edges.values.begin(), edges.values.end(), 0.0f);
   if (truth::compare(drawn, truth, edges).wrong == 0) return 0;
   edges = tracer.edge_mask(scene.camera, scene.lights[0], drawn.width, drawn.height);
-  const Limits limits(scene, tracer, limit, drawn.height);
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < drawn.values.size(); ++i) {
-    if (edges.values[i] > 0 || std::abs(drawn.values[i] - truth.values[i]) <= 0.5f) continue;
-    wrong += !limits.allow(surfaces.surfaces[i], drawn.values[i] > 0.5f);
-  }
-  return wrong;
+  return beyond_limit(scene, tracer, limit, drawn, truth, edges, surfaces);
 }
 
 // Soft ones: what is off by more than the limit's error from all that the truth is within a pixel.

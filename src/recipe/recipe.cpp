@@ -158,7 +158,8 @@ Limit Recipe::limit() {
     if (!push_function("limit")) return;
     push_context(0);
     lua_call(L, 1, 1);
-    luaL_checktype(L, -1, LUA_TTABLE);
+    if (lua_type(L, -1) != LUA_TTABLE)
+      throw InputError(fmt::format("{}: limit gives no table", file_.string()));
     for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
       const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
       const auto field = fields.find(name);
