@@ -2606,9 +2606,9 @@ function shadow.bias_matrix() end
 ---@return mat4
 function shadow.infinite_perspective(fovy, aspect, near) end
 
----The light's view and projection for a shadow map, fitted to the casters that can shadow what the camera sees (or, fit = "scene", anything), and to those shadows alone: what is outside of the map or behind the light is lit. Orthographic for a light at infinity. Refused where a point light is among its casters, so that one frustum cannot hold them.
+---The light's view and projection for a shadow map, fitted to the casters that can shadow what the camera sees (or, fit = "scene", anything), and to those shadows alone: what is outside of the map or behind the light is lit. With a point light's radius, in metres, there is room around them for what its edge alone sees. Orthographic for a light at infinity. Refused where a point light is among its casters, so that one frustum cannot hold them.
 ---
----`shadow.light_view(light, scene, {fit = "view"|"scene", casters = {object, …}}) -> view, projection, near, far`
+---`shadow.light_view(light, scene, {fit = "view"|"scene", casters = {object, …}, radius = }) -> view, projection, near, far`
 ---@return any
 ---@return any
 ---@return any

@@ -3,6 +3,7 @@
 -- and copied in pieces, one window at a time.
 local draw_lit = require "parts.draw_lit"
 local map_limit = require "parts.map_limit"
+local map_pass = require "parts.map_pass"
 
 local recipe = {
   title   = "A shadow map, copied from the depth buffer",
@@ -29,11 +30,8 @@ function recipe.limit(r)
   return map_limit({ { projection = projection } }, r.params.size)
 end
 
-function recipe.setup(r)
-  r.flat = shader.load "flat"
-  r.mapped = shader.load "shadow_map"
-
-  -- Setup shadow map (once)
+-- Setup shadow map (once)
+local function setup_map(r, size)
   gl.ActiveTexture(gl.TEXTURE0)
   r.map = gl.GenTextures(1)
   gl.BindTexture(gl.TEXTURE_2D, r.map)
@@ -44,8 +42,12 @@ function recipe.setup(r)
   -- NEAREST: LINEAR would mix depths of different surfaces into one that neither has.
   gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST)
   gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST)
-  gl.TexImage2D(gl.TEXTURE_2D, 0, gl.DEPTH_COMPONENT32, r.params.size, r.params.size, 0,
-                gl.DEPTH_COMPONENT, gl.FLOAT, nil)
+  gl.TexImage2D(gl.TEXTURE_2D, 0, gl.DEPTH_COMPONENT32, size, size, 0, gl.DEPTH_COMPONENT, gl.FLOAT, nil)
+end
+
+function recipe.setup(r)
+  r.flat = shader.load "flat"
+  r.mapped = shader.load "shadow_map"
 end
 
 function recipe.draw(r)
@@ -53,8 +55,10 @@ function recipe.draw(r)
   local light_view, light_projection = shadow.light_view(light, scene)
   local bias = shadow.map_bias(light_projection, size)
 
-  pass("1. the shadow map: the scene as the light sees it, copied into the texture", function()
-    gl.Enable(gl.DEPTH_TEST)
+  if bias.read and not r.map then setup_map(r, size) end
+
+  gl.Enable(gl.DEPTH_TEST)
+  if bias.read then pass("1. the shadow map: the scene as the light sees it, copied into the texture", function()
     gl.ColorMask(false, false, false, false)
     gl.BindTexture(gl.TEXTURE_2D, r.map)
     if r.params.bias ~= "constant 0.01" then
@@ -74,13 +78,14 @@ function recipe.draw(r)
     gl.Disable(gl.POLYGON_OFFSET_FILL)
     gl.ColorMask(true, true, true, true)
     gl.Viewport(0, 0, r.width, r.height)
-  end)
+  end) end
 
   pass("2. the scene, compared with the map", function()
     local camera = scene.camera
     local view, projection = camera:view(), camera:projection(r.width / r.height)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+    gl.BindTexture(gl.TEXTURE_2D, bias.read and r.map or map_pass.kept(r, false, 1))
     -- Translate(0.5) Scale(0.5) Perspective LookAt, and back from the eye to the world.
     local light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse()
     draw_lit(scene, r.mapped, { view = view, projection = projection, light = light,

@@ -1,7 +1,8 @@
 -- A point light inside the scene: no frustum sees all around it, so that the map has six faces, one
 -- for each half-axis, and is looked up by the direction from the light. Faces on which no caster can
--- shadow what is seen are not drawn; and while light and casters are still the whole map is kept.
+-- shadow what is seen are neither made nor drawn; and while light and casters are still the map is kept.
 local draw_lit = require "parts.draw_lit"
+local map_array = require "parts.map_array"
 local map_limit = require "parts.map_limit"
 local still = require "parts.still"
 
@@ -54,58 +55,66 @@ end
 function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_cube"
-  r.shown = {}
+  r.frames, r.shown = {}, {}
   r.fbo = gl.GenFramebuffers(1)
   gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
   gl.DrawBuffer(gl.NONE)
   gl.ReadBuffer(gl.NONE)
 end
 
-local function clear_face(r, cube, i)
-  gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, targets[i], cube, 0)
-  gl.Clear(gl.DEPTH_BUFFER_BIT)
+-- Where the faces are: in a cube, where all are read, or a filter goes from one to the next; else those that
+-- are read alone, as layers of an array, by their numbers from 0, and -1 for the others.
+local function places(r, faces, read)
+  local size, filter, count = r.params.size, r.params.filter, 0
+  for i, face in ipairs(faces) do
+    face.read = read[i] or false
+    if face.read then count = count + 1 end
+  end
+  if count == 6 or count > 0 and filter == "LINEAR" then
+    r.cube = r.cube or make_cube(size, filter)
+    return { -1, -1, -1, -1, -1, -1 }, r.cube
+  end
+  local layers = map_array.layers_of(r, size, faces)
+  if r.layers then
+    -- A face's rim goes on, as it does in a cube.
+    gl.BindTexture(gl.TEXTURE_2D_ARRAY, r.layers)
+    gl.TexParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE)
+    gl.TexParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE)
+  end
+  return layers
 end
 
--- The cube that this frame reads: made when somebody does for the first time; else one of a texel a face,
--- each as far as can be: all is lit.
-local function cube_of(r, read)
-  if read then
-    r.cube = r.cube or make_cube(r.params.size, r.params.filter)
-    return r.cube
-  end
-  if not r.lit then
-    r.lit = make_cube(1, "NEAREST")
-    gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
-    for i = 1, 6 do clear_face(r, r.lit, i) end
-    gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
-  end
-  return r.lit
-end
+local every = { true, true, true, true, true, true }
 
 function recipe.draw(r)
   local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
   local fit = { fit = r.params.keep and "scene" or "view" }
   local near, far = shadow.cube_range(light, scene, fit)
   local faces = shadow.cube_faces(light, near, far)
-  local needed = shadow.faces_needed(light, scene, fit)
-
   local bias = shadow.map_bias(faces[1].projection, size, r.params.filter == "LINEAR" and 2 or 1)
-  local cube = cube_of(r, bias.read)
+  local read = not bias.read and {} or r.params.cull and shadow.faces_needed(light, scene, fit) or every
+  local layers, cube = places(r, faces, read)
+  local held = table.concat(layers, " ")
+  if r.held ~= held then r.held, r.shown = held, {} end
 
   gl.Enable(gl.DEPTH_TEST)
   if bias.read and not (r.params.keep and still(r.shown, faces[1].projection * faces[1].view, scene.casters)) then
-    gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
     gl.Viewport(0, 0, size, size)
     gl.Enable(gl.POLYGON_OFFSET_FILL)
     gl.PolygonOffset(bias.factor, bias.units)
     for i, face in ipairs(faces) do
-      local drawn = needed[i] or not r.params.cull
-      pass("1. face " .. names[i] .. (drawn and "" or ", cleared: no shadow there is seen"), function()
-        clear_face(r, cube, i)
-        if drawn then
-          scene.caster:draw(r.depth, { view = face.view, projection = face.projection })
-        end
-      end)
+      if cube or face.read then
+        pass("1. face " .. names[i] .. (face.read and "" or ", cleared: no shadow there is seen"), function()
+          gl.BindFramebuffer(gl.FRAMEBUFFER, cube and r.fbo or r.frames[layers[i] + 1])
+          if cube then
+            gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, targets[i], cube, 0)
+          end
+          gl.Clear(gl.DEPTH_BUFFER_BIT)
+          if face.read then
+            scene.caster:draw(r.depth, { view = face.view, projection = face.projection })
+          end
+        end)
+      end
     end
     gl.Disable(gl.POLYGON_OFFSET_FILL)
     gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
@@ -117,9 +126,12 @@ function recipe.draw(r)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     gl.Enable(gl.TEXTURE_CUBE_MAP_SEAMLESS)   -- a filter at a face's edge reads the next face
-    gl.BindTexture(gl.TEXTURE_CUBE_MAP, cube)
+    if cube then gl.BindTexture(gl.TEXTURE_CUBE_MAP, cube) end
+    gl.ActiveTexture(gl.TEXTURE1)
+    if r.layers then gl.BindTexture(gl.TEXTURE_2D_ARRAY, r.layers) end
     draw_lit(scene, r.mapped, {
-      view = view, projection = projection, light = light, shadow_map = 0, near = near, far = far,
+      view = view, projection = projection, light = light, near = near, far = far,
+      shadow_map = 0, shadow_maps = 1, layers = layers, in_cube = cube ~= nil,
       reach = 2 * bias.reach,   -- a face is two wide at distance 1
       light_matrix = mat4.translate(-light.xyz / light.w) * view:inverse(),
     })

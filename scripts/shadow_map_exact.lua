@@ -52,6 +52,13 @@ local function upload(texture, internal, format, image)
   gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST)
 end
 
+-- A grid of one cell and no triangle.
+local function empty(origin)
+  return { origin = origin, ranges = { width = 1, height = 1, bytes = { 0, 0 } },
+           list = { width = 1, height = 1, bytes = { 0 } },
+           triangles = { width = 1, height = 1, bytes = { 0, 0, 0, 0 } } }
+end
+
 -- Doubles' first 24 bits, which a float holds, and their next (T. Dekker, 1971), at the tables' ends.
 local function split(values, high, low)
   for _, value in ipairs(values) do
@@ -73,9 +80,13 @@ function recipe.draw(r)
   local scene, camera, light, cells = r.scene, r.scene.camera, r.params.light, r.params.cells
   local light_view, light_projection = shadow.light_view(light, scene, { fit = r.params.fit })
 
+  -- For a frame in which nobody reads it the grid is one cell, and empty.
+  local read = shadow.map_bias(light_projection, cells).read
+  if r.read ~= read then r.read, r.shown = read, {} end
+
   if not still(r.shown, light_projection * light_view, scene.casters) then
     pass("1. the casters' triangles, into the light's grid", function()
-      local grid = shadow.triangle_grid(light, scene, light_view, light_projection, cells)
+      local grid = read and shadow.triangle_grid(light, scene, light_view, light_projection, cells) or empty(camera.eye)
       upload(r.ranges, gl.RG32F, gl.RG, grid.ranges)
       upload(r.list, gl.R32F, gl.RED, grid.list)
       upload(r.triangles, gl.RGBA32F, gl.RGBA, grid.triangles)
@@ -120,7 +131,7 @@ function recipe.draw(r)
     }
     -- Their triangles are numbered through, as the grid has them.
     for _, object in ipairs(scene.objects) do
-      uniforms.casts = object.role ~= "receiver"
+      uniforms.casts = read and object.role ~= "receiver"
       if fronts[object] then gl.Enable(gl.CULL_FACE) else gl.Disable(gl.CULL_FACE) end
       object:draw(r.exact, uniforms)
       uniforms.first_own = uniforms.first_own + object.mesh.triangles

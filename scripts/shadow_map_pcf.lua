@@ -103,6 +103,7 @@ function recipe.draw(r)
     local view, projection = camera:view(), camera:projection(r.width / r.height)
     gl.BindTexture(gl.TEXTURE_2D, map)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Enable(gl.DEPTH_TEST)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,

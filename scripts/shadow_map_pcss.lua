@@ -27,26 +27,26 @@ end
 function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_pcss"
-  r.fbo, r.map = map_pass.make(r.params.size)
 end
 
 function recipe.draw(r)
   local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
-  local light_view, light_projection, near, far = shadow.light_view(light, scene)
-  -- Room around the casters for the parts of them that only the light's edge sees.
-  local room = 1 + r.params.radius * (1 / near - 1 / far)
-                 * math.max(light_projection:row(1).x, light_projection:row(2).y)
-  light_projection = mat4.scale(1 / room, 1 / room, 1) * light_projection
+  -- With room around the casters for the parts of them that only the light's edge sees.
+  local light_view, light_projection, near, far = shadow.light_view(light, scene, { radius = r.params.radius })
+  local bias = shadow.map_bias(light_projection, size, 2)
+  local map = map_pass.kept(r, bias.read, size)
 
-  pass("1. the map, from the middle of the light", function()
-    map_pass.draw(r, r.fbo, size, scene.caster, r.depth, light_view, light_projection,
-                  shadow.map_bias(light_projection, size, 2))
-  end)
+  if bias.read then
+    pass("1. the map, from the middle of the light", function()
+      map_pass.draw(r, r.frame, size, scene.caster, r.depth, light_view, light_projection, bias)
+    end)
+  end
 
   pass("2. the scene: search, then filter", function()
     local view, projection = camera:view(), camera:projection(r.width / r.height)
-    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    gl.BindTexture(gl.TEXTURE_2D, map)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Enable(gl.DEPTH_TEST)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,

@@ -32,7 +32,6 @@ function recipe.setup(r)
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map"
   r.size = r.params.defect == "aliasing" and 64 or r.params.size
-  r.fbo, r.map = map_pass.make(r.size)
 end
 
 -- Clip space scaled around its middle: a light volume 1/factor as wide.
@@ -56,16 +55,21 @@ function recipe.draw(r)
   if defect == "near_too_near" and light.w > 0 then
     light_projection = with_near(light_projection, near / 1e6, far)
   end
-  local bias = defect ~= "acne" and shadow.map_bias(light_projection, size) or nil
+  local recommended = shadow.map_bias(light_projection, size)
+  local bias = defect ~= "acne" and recommended or nil
+  local map = map_pass.kept(r, recommended.read, size)
 
-  pass("1. the map" .. (defect ~= "none" and ", with " .. defect or ""), function()
-    map_pass.draw(r, r.fbo, size, scene.caster, r.depth, light_view, light_projection, bias)
-  end)
+  if recommended.read then
+    pass("1. the map" .. (defect ~= "none" and ", with " .. defect or ""), function()
+      map_pass.draw(r, r.frame, size, scene.caster, r.depth, light_view, light_projection, bias)
+    end)
+  end
 
   pass("2. the scene", function()
     local view, projection = camera:view(), camera:projection(r.width / r.height)
-    gl.BindTexture(gl.TEXTURE_2D, r.map)
+    gl.BindTexture(gl.TEXTURE_2D, map)
     gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Enable(gl.DEPTH_TEST)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 0,

@@ -52,6 +52,7 @@ function recipe.draw(r)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_FUNC, gl[r.params.compare])
     gl.ClearColor(0.85, 0.88, 0.92, 1)
+    gl.Enable(gl.DEPTH_TEST)
     gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     -- The matrix that the slide has, from [-1, 1]³ to [0, 1]³, after the light's own.
     draw_lit(scene, r.mapped, {

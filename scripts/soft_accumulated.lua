@@ -67,7 +67,6 @@ function recipe.setup(r)
   r.flat = shader.load "flat"
   r.mapped = shader.load "shadow_map"
   r.quad = mesh.quad()
-  if r.params.technique == "maps" then r.fbo, r.map = map_pass.make(r.params.size) end
 end
 
 -- The passes of volumes_zfail.
@@ -123,10 +122,14 @@ local function draw_map(r, seen, light)
   local light_view, light_projection = shadow.light_view(light, r.scene)
   gl.DepthMask(true)
   gl.DepthFunc(gl.LESS)
-  map_pass.draw(r, r.fbo, r.params.size, r.scene.caster, r.flat, light_view, light_projection,
-                shadow.map_bias(light_projection, r.params.size))
+  local bias = shadow.map_bias(light_projection, r.params.size)
+  local map = map_pass.kept(r, bias.read, r.params.size)
+  if bias.read then
+    map_pass.draw(r, r.frame, r.params.size, r.scene.caster, r.flat, light_view, light_projection, bias)
+  end
+  gl.Enable(gl.DEPTH_TEST)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
-  gl.BindTexture(gl.TEXTURE_2D, r.map)
+  gl.BindTexture(gl.TEXTURE_2D, map)
   draw_lit(r.scene, r.mapped, {
     view = seen.view, projection = seen.projection, light = light, shadow_map = 0, ambient = r.params.darkness,
     light_matrix = shadow.bias_matrix() * light_projection * light_view * seen.view:inverse(),

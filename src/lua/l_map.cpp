@@ -27,21 +27,24 @@ std::vector<std::size_t> read_casters(lua_State* L, const SceneBox& scene) {
 struct FittedTo {
   shadow::MapContent content;
   bool in_view = true;
+  double radius = 0;  // of the light
 };
 
-// { fit = "view" | "scene", casters = {object, …} } at `index`.
+// { fit = "view" | "scene", casters = {object, …}, radius = metres } at `index`.
 FittedTo read_fit(lua_State* L, int index, const char* function, const SceneBox& scene) {
-  static constexpr std::string_view names[] = {"fit", "casters"};
+  static constexpr std::string_view names[] = {"fit", "casters", "radius"};
   bool in_view = true;
+  double radius = 0;
   std::optional<std::vector<std::size_t>> casters;
   each_option(L, index, function, names, [&](std::string_view key) {
     if (key == "fit") in_view = is_first_of(L, key, "view", "scene");
     if (key == "casters") casters = read_casters(L, scene);
+    if (key == "radius") radius = number_option(L, key);
   });
   auto content = in_view ? shadow::content_in_view(*scene, scene->camera, Stage::of(L).aspect())
                          : shadow::whole_content(*scene);
   content.casters = std::move(casters);
-  return {std::move(content), in_view};
+  return {std::move(content), in_view, radius};
 }
 
 // ---- the functions
@@ -50,10 +53,12 @@ int light_view(lua_State* L) {
   const auto light = light_argument(L, 1, "light_view");
   const SceneBox& scene = scene_argument(L, 2, "light_view");
   const FittedTo fit = read_fit(L, 3, "light_view", scene);
-  const auto view = shadow::light_view(light, *scene, fit.content);
+  auto view = shadow::light_view(light, *scene, fit.content);
+  if (fit.radius != 0) view = shadow::with_room(view, fit.radius);
   // A map of the whole scene may be kept for what another camera sees.
   if (const auto& planned = Stage::of(L).planned; planned && fit.in_view)
-    planned->add_map({scene, light, view.view, view.projection});
+    planned->add_map(
+        {scene, light, view.view, view.projection, {}, shadow::edge_reach(view, fit.radius)});
   push(L, view.view);
   push(L, view.projection);
   lua_pushnumber(L, view.near);
@@ -121,11 +126,14 @@ int faces_needed(lua_State* L) {
 
 constexpr Entry functions[] = {
     {"light_view",
-     "shadow.light_view(light, scene, {fit = \"view\"|\"scene\", casters = {object, …}}) -> view, "
-     "projection, near, far",
+     "shadow.light_view(light, scene, {fit = \"view\"|\"scene\", casters = {object, …}, radius = "
+     "}) "
+     "-> view, projection, near, far",
      "The light's view and projection for a shadow map, fitted to the casters that can shadow what "
      "the camera sees (or, fit = \"scene\", anything), and to those shadows alone: what is outside "
-     "of the map or behind the light is lit. Orthographic for a light at infinity. Refused where a "
+     "of the map or behind the light is lit. With a point light's radius, in metres, there is room "
+     "around them for what its edge alone sees. Orthographic for a light at infinity. Refused "
+     "where a "
      "point light is among its casters, so that one frustum cannot hold them.",
      guarded<light_view>},
     {"map_bias",

@@ -4,6 +4,7 @@
 #include "lua/boxes.h"
 #include "lua/modules.h"
 #include "lua/plan_words.h"
+#include "lua/planned.h"
 #include "shadow/map_needs.h"
 #include "shadow/plan.h"
 
@@ -107,7 +108,8 @@ std::vector<shadow::MapUse> read_maps(lua_State* L, int index) {
 
 int plan(lua_State* L) {
   const SceneBox scene = read_box<SceneBox>(L, 1, "argument 1 of shadow.plan (the scene)");
-  const auto& camera = read_box<CameraBox>(L, 2, "argument 2 of shadow.plan").camera();
+  const auto& seen_by = read_box<CameraBox>(L, 2, "argument 2 of shadow.plan");
+  const scene::Camera& camera = seen_by.camera();
   const auto light = read_light(L, 3, "argument 3 of shadow.plan (the light)");
   if (light.shape != scene::Light::Shape::point) {
     throw InputError(
@@ -115,9 +117,11 @@ int plan(lua_State* L) {
   }
   Stage& stage = Stage::of(L);
   stage.state.check_budget(scene->objects.size() * scene->objects.size());
+  const glm::ivec2 picture = stage.picture_size();
   const shadow::Plan plan =
-      shadow::plan(*scene, camera, light.position, stage.picture_size(),
-                   stage.explaining ? shadow::Reasons::told : shadow::Reasons::none);
+      stage.planned && seen_by.scene == scene
+          ? stage.planned->plan_of(scene, light.position, picture, reasons_for(stage))
+          : shadow::plan(*scene, camera, light.position, picture, reasons_for(stage));
   if (stage.explaining) explain_plan(stage, *scene, light.position, plan);
   const std::vector<shadow::MapUse> maps = read_maps(L, 4);
 

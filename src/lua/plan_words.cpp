@@ -98,6 +98,17 @@ void explain_casters(Stage& stage, std::span<const Held> lights) {
                   "since they are seen from lit sides alone and shadow nothing else that is seen");
 }
 
+// The plan of volumes, with those that are drawn all the same among the kept ones.
+shadow::Plan as_left_out(const Planned::Volumes& volumes) {
+  shadow::Plan plan = volumes.plan;
+  const auto drawn = [&](const auto& dropped) { return !volumes.drops(dropped.object); };
+  for (const auto& dropped : plan.dropped) {
+    if (drawn(dropped)) plan.casters.push_back({dropped.object, {}, {}, false});
+  }
+  std::erase_if(plan.dropped, drawn);
+  return plan;
+}
+
 // "256 × 256 texels"
 std::string texels_of(const Planned::Map& map) { return fmt::format("{0} × {0} texels", map.size); }
 
@@ -119,9 +130,9 @@ void explain_map(Stage& stage, const Planned::Map& map, std::size_t number, std:
     stage.explain(
         fmt::format("{}, is neither allocated nor drawn, since no caster shadows what is seen "
                     "where it would be "
-                    "read. Saved: {}, {} that are cleared, {} of depth.",
+                    "read. Saved: {}, {} that are cleared, at least {}.",
                     which, counted(triangles, "triangle", "triangles"),
-                    counted(texels, "pixel", "pixels"), counted(4 * texels, "byte", "bytes")));
+                    counted(texels, "pixel", "pixels"), counted(3 * texels, "byte", "bytes")));
     return;
   }
   if (map.dropped == 0) {
@@ -195,9 +206,12 @@ void explain_plan(Stage& stage, const scene::Scene& scene, glm::dvec4 light,
 }
 
 void explain_planned(Stage& stage) {
+  std::deque<shadow::Plan> plans;
   std::vector<Held> lights;
-  for (const Planned::Volumes& volumes : stage.planned->volumes())
-    lights.push_back({*volumes.scene, volumes.light, volumes.plan});
+  for (const Planned::Volumes& volumes : stage.planned->volumes()) {
+    plans.push_back(as_left_out(volumes));
+    lights.push_back({*volumes.scene, volumes.light, plans.back()});
+  }
   if (!lights.empty()) explain_casters(stage, lights);
   const auto& maps = stage.planned->maps();
   std::size_t number = 0;

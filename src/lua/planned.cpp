@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lua/plan_words.h"
+
 namespace shadowlab::lua {
 namespace {
 
@@ -10,19 +12,6 @@ const glm::dmat4* matrix(lua_State* L, int table, const char* name) {
   const glm::dmat4* found = test<glm::dmat4>(L, -1);
   lua_pop(L, 1);  // the table holds it
   return found;
-}
-
-// One whose lit sides alone are seen shadows nothing, but the recipe may count it there wrongly,
-// and its picture is to stay what it is: so it is kept.
-shadow::Plan with_what_is_lit(shadow::Plan plan) {
-  const auto all_lit = [](const auto& dropped) {
-    return dropped.why == shadow::Plan::Why::all_lit;
-  };
-  for (const auto& dropped : plan.dropped) {
-    if (all_lit(dropped)) plan.casters.push_back({dropped.object, {}, {}, false});
-  }
-  std::erase_if(plan.dropped, all_lit);
-  return plan;
 }
 
 }  // namespace
@@ -43,23 +32,35 @@ const shadow::Sight& Planned::sight_of(const SceneBox& scene, glm::ivec2 picture
   return seen_.back().sight;
 }
 
-bool Planned::drops(const ObjectBox& caster, const scene::Light& light, glm::ivec2 picture) {
+bool Planned::Volumes::drops(std::size_t object) const {
+  return std::ranges::any_of(plan.dropped, [&](const shadow::Plan::Dropped& dropped) {
+    return dropped.object == object && dropped.why != shadow::Plan::Why::all_lit;
+  });
+}
+
+bool Planned::drops(const ObjectBox& caster, const scene::Light& light, glm::ivec2 picture,
+                    shadow::Reasons reasons) {
   if (light.shape != scene::Light::Shape::point || !caster.object().casts()) return false;
+  return volumes_of(caster.scene, light.position, picture, reasons).drops(caster.index);
+}
+
+const shadow::Plan& Planned::plan_of(const SceneBox& scene, glm::dvec4 light, glm::ivec2 picture,
+                                     shadow::Reasons reasons) {
+  return volumes_of(scene, light, picture, reasons).plan;
+}
+
+const Planned::Volumes& Planned::volumes_of(const SceneBox& scene, glm::dvec4 light,
+                                            glm::ivec2 picture, shadow::Reasons reasons) {
   const auto same = [&](const Volumes& known) {
-    return known.light == light.position && known.scene == caster.scene;
+    return known.light == light && known.reasons == reasons && known.scene == scene;
   };
   // Asked caster by caster for one light after the other: the last is the likeliest.
   auto found = std::find_if(volumes_.rbegin(), volumes_.rend(), same);
-  if (found == volumes_.rend()) {
-    const scene::Scene& scene = *caster.scene;
-    volumes_.push_back({caster.scene, light.position,
-                        with_what_is_lit(shadow::plan(scene, scene.camera, light.position,
-                                                      sight_of(caster.scene, picture)))});
-    found = volumes_.rbegin();
-  }
-  return std::ranges::any_of(found->plan.dropped, [&](const shadow::Plan::Dropped& dropped) {
-    return dropped.object == caster.index;
-  });
+  if (found != volumes_.rend()) return *found;
+  volumes_.push_back(
+      {scene, light, reasons,
+       shadow::plan(*scene, scene->camera, light, sight_of(scene, picture), reasons)});
+  return volumes_.back();
 }
 
 Planned::Map& Planned::add_map(Map map) {
@@ -96,8 +97,9 @@ const shadow::MapNeeds& Planned::needs_of(Map& map, int size, double filter, glm
   if (!map.needs || map.size != size || map.filter < filter) {
     map.size = size;
     map.filter = filter;
-    map.needs = shadow::map_needs(*map.scene, sight_of(map.scene, picture), map.light,
-                                  {map.projection * map.view, size, filter, map.part});
+    map.needs =
+        shadow::map_needs(*map.scene, sight_of(map.scene, picture), map.light,
+                          {map.projection * map.view, size, filter + map.reach * size, map.part});
   }
   return *map.needs;
 }
@@ -123,7 +125,7 @@ bool is_dropped(lua_State* L, int caster, int model, const scene::Light& light) 
   Stage& stage = Stage::of(L);
   if (!stage.planned || !lua_isnoneornil(L, model)) return false;
   const ObjectBox* object = test_box<ObjectBox>(L, caster);
-  return object && stage.planned->drops(*object, light, stage.picture_size());
+  return object && stage.planned->drops(*object, light, stage.picture_size(), reasons_for(stage));
 }
 
 bool is_needed(lua_State* L, int uniforms, const SceneBox& scene, std::size_t index) {

@@ -32,7 +32,8 @@ class Planned {
     glm::dvec4 light;
     glm::dmat4 view, projection;
     std::optional<shadow::DepthRange> part = std::nullopt;
-    int size = 0;  ///< texels, once that is known
+    double reach = 0;  ///< of lookups beyond their filter, clip space
+    int size = 0;      ///< texels, once that is known
     double filter = 0;
     std::optional<shadow::MapNeeds> needs = std::nullopt;
     bool skipped = false;  ///< the recipe was told that nobody reads it
@@ -43,13 +44,22 @@ class Planned {
   struct Volumes {
     SceneBox scene;
     glm::dvec4 light;
+    shadow::Reasons reasons;
     shadow::Plan plan;
+    /// Of its plan, those whose volume is left out where the recipe builds it. One whose lit sides
+    /// alone are seen shadows nothing, but the recipe may count it there wrongly, and its picture
+    /// is to stay what it is: it is kept.
+    bool drops(std::size_t object) const;
   };
 
   void begin_frame();
 
   /// Whether the volume of this object for the light changes no pixel of the picture.
-  bool drops(const ObjectBox& caster, const scene::Light& light, glm::ivec2 picture);
+  bool drops(const ObjectBox& caster, const scene::Light& light, glm::ivec2 picture,
+             shadow::Reasons reasons);
+  /// What the scene's camera needs, found once a frame.
+  const shadow::Plan& plan_of(const SceneBox& scene, glm::dvec4 light, glm::ivec2 picture,
+                              shadow::Reasons reasons);
 
   /// A map that is read by what its scene's camera sees.
   Map& add_map(Map map);
@@ -74,6 +84,8 @@ class Planned {
  private:
   /// What the scene's camera sees, found once a frame.
   const shadow::Sight& sight_of(const SceneBox& scene, glm::ivec2 picture);
+  const Volumes& volumes_of(const SceneBox& scene, glm::dvec4 light, glm::ivec2 picture,
+                            shadow::Reasons reasons);
 
   struct Seen {
     SceneBox scene;

@@ -109,6 +109,7 @@ std::string limits(const std::vector<std::pair<std::string, Points>>& groups) {
       for (const Json& pass : point->at("passes")) {
         auto& [fill, all] = over[point->at("recipe").get<std::string>()];
         const double ms = pass.at("ms").at("median").get<double>();
+        if (ms == 0) continue;  // of a map that is kept: drawn in the first frame alone
         if (pass.at("fill_limit_ms").get<double>() > 0)
           fill.push_back(ms / pass.at("fill_limit_ms").get<double>());
         if (pass.at("limit_ms").get<double>() > 0)

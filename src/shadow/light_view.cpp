@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "core/error.h"
 #include "shadow/enclosing_cone.h"
 #include "shadow/facing.h"
@@ -260,6 +262,22 @@ LightView light_view(glm::dvec4 light, const scene::Scene& scene, const MapConte
   light = normalized_light(light);
   if (light.w == 0) return along_direction(glm::dvec3(light), scene, content);
   return from_point(glm::dvec3(light) / light.w, scene, content);
+}
+
+double edge_reach(const LightView& view, double radius) {
+  const double per_tangent = std::max(view.projection[0][0], view.projection[1][1]);
+  return radius * (1 / view.near - 1 / view.far) * per_tangent;
+}
+
+LightView with_room(LightView view, double radius) {
+  if (view.projection[2][3] == 0)
+    throw InputError("A light at infinity has no radius: its rays are parallel.");
+  if (!(radius >= 0 && std::isfinite(radius)))
+    throw InputError(fmt::format("A light's radius is 0 or more; it is {}", radius));
+  const double narrowing = 1 / (1 + edge_reach(view, radius));
+  view.projection =
+      glm::scale(glm::dmat4(1), glm::dvec3(narrowing, narrowing, 1)) * view.projection;
+  return view;
 }
 
 }  // namespace shadowlab::shadow

@@ -46,6 +46,15 @@ MapContent whole_content(const scene::Scene& scene);
 /// them then. Throws as `normalized_light` too.
 LightView light_view(glm::dvec4 light, const scene::Scene& scene, const MapContent& content);
 
+/// How far on the map, in clip space, from what the light's centre sees in a direction that is
+/// which its edge sees there, `radius` metres beside the centre: the nearest caster before the
+/// farthest receiver. Of a point light's view.
+double edge_reach(const LightView& view, double radius);
+
+/// `view` with room around it for the parts of casters that only the light's edge sees. Throws
+/// InputError for a light at infinity, which has no radius, and unless 0 <= radius, finite.
+LightView with_room(LightView view, double radius);
+
 /// The light's own axes: rows x, y and z of a rotation, z toward the light along `toward`, the same
 /// for the same direction whatever the camera does.
 glm::dmat3 light_axes(glm::dvec3 toward);

@@ -171,7 +171,8 @@ end
 
 -- The wall's lit side is turned from the light by θ with tan θ = cot(elevation) … so its depth is pushed
 -- by factor · texel · tan θ, and a floor point at x is x / cos(elevation) behind it. Lookups are half a
--- texel off besides, which on the floor is texel / sin(elevation), and a pixel is counted whole.
+-- texel off besides, which on the floor is texel / sin(elevation), and a pixel is counted whole. A fragment
+-- of the floor takes off its own climb: as much, of a plane turned from the light by 90° - elevation.
 test("the_gap_at_a_contact_is_at_most_the_bias", function()
   local world = scene.load "contact"
   local pixel = 2 * 9 * math.tan(math.rad(10)) / side
@@ -183,12 +184,18 @@ test("the_gap_at_a_contact_is_at_most_the_bias", function()
       local _, _, by_offset, bias = shadowed(world, light, size, { factor = 1 })
       local most = bias.factor * bias.texel * math.tan(e) * math.cos(e) + bias.texel / math.sin(e) + pixel
       expect(gap(by_offset, world, length) <= most, elevation .. ", " .. size .. ": " .. gap(by_offset, world, length) .. ", at most " .. most)
+      local _, _, by_both = shadowed(world, light, size, { factor = 1, climb = 1 })
+      most = most + bias.factor * bias.texel / math.tan(e) * math.cos(e)
+      expect(gap(by_both, world, length) <= most, elevation .. ", " .. size .. ": " .. gap(by_both, world, length) .. ", with both at most " .. most)
       local _, _, by_normal = shadowed(world, light, size, { normal = 1 })
       most = (bias.normal_offset + bias.texel) / math.sin(e) + pixel
       expect(gap(by_normal, world, length) <= most, elevation .. ", " .. size .. ": " .. gap(by_normal, world, length) .. ", at most " .. most)
-      -- Peter Panning: a hundred times the offset, and the shadow comes off.
+      -- Peter Panning: a hundred times the offset, and the shadow comes off. (The floor climbs less than the
+      -- wall does under a high light.)
       local _, _, off = shadowed(world, light, size, { factor = 100 })
       expect(gap(off, world, length) > gap(by_offset, world, length) + pixel, elevation .. ", " .. size)
+      local _, _, climbed = shadowed(world, light, size, { factor = 1, climb = 400 })
+      expect(gap(climbed, world, length) > gap(by_both, world, length) + pixel, elevation .. ", " .. size .. ", by climb")
     end
   end
 end)

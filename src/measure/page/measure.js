@@ -250,13 +250,13 @@ function curves() {
 function passes() {
   const rows = [];
   for (const p of measured.filter((q) => !Object.keys(q.settings).length && !q.planned)) {
-    for (const pass of p.passes) {
+    for (const pass of p.passes.filter((q) => q.ms.median > 0)) {
       rows.push([p.scene, p.recipe, pass.name, pass.count, digits(pass.ms.median), digits(pass.mpix), pass.triangles.toLocaleString("en"),
         pass.fill_limit_ms > 0 ? digits(pass.ms.median / pass.fill_limit_ms) : "", digits(pass.ms.median / pass.limit_ms)]);
     }
   }
   section("passes", "Passes against the fill limit",
-    make("p", { class: "quiet" }, "The fill limit of a pass is the least time that its pixels take on this machine; with its triangles and the price of a pass it is the limit in all. Recipes with their own parameters."),
+    make("p", { class: "quiet" }, "The fill limit of a pass is the least time that its pixels take on this machine; with its triangles and the price of a pass it is the limit in all. Recipes with their own parameters; passes of a map that is kept from the first frame on are left out."),
     make("details", {}, make("summary", {}, `${rows.length} passes`), table("times over their limits",
       [["scene"], ["recipe"], ["pass"], ["times", "n"], ["ms", "n"], ["Mpix", "n"], ["triangles", "n"], ["over fill", "n"], ["over all", "n"]], rows)));
 }

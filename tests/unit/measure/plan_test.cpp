@@ -133,9 +133,12 @@ std::uint64_t held_by(const char* name, recipe::Options::Casters casters, glm::d
   options.scene = "table";
   options.casters = casters;
   recipe::Recipe recipe(graphics, home() / "scripts" / (std::string(name) + ".lua"), options);
-  recipe.set("size", "128");
-  const bool is_cube = std::string_view(name) == "shadow_map_cube";
-  if (is_cube) recipe.set("keep", "false");
+  for (const auto& parameter : recipe.parameters()) {
+    if (parameter.name == "size") recipe.set("size", "128");
+    if (parameter.name == "technique") recipe.set("technique", "maps");
+    if (parameter.name == "radius") recipe.set("radius", "0.01");
+  }
+  if (std::string_view(name) == "shadow_map_cube") recipe.set("keep", "false");
   scene::Camera camera = recipe.scene()->camera;
   camera.eye = eye;
   camera.target = target;
@@ -147,26 +150,44 @@ std::uint64_t held_by(const char* name, recipe::Options::Casters casters, glm::d
   return gl::held(graphics.gl).textures.bytes - before;
 }
 
-// Over a corner of the table, at what no shadow reaches: one texel, 24 bits of depth, stands for
-// the map, and one a face for a cube. Where shadows are seen the whole map is there.
+// Over a corner of the table, at what no shadow reaches: a texel, 24 bits of depth, stands for the
+// map, and nothing for a cube, of which that view reads one face without a plan. Where shadows are
+// seen the map is there, and the two faces of the cube that the view reads.
 TEST(RunUnderAPlan, makes_no_map_that_nobody_reads) {
   using Casters = recipe::Options::Casters;
+  constexpr std::uint64_t map = 128 * 128 * 3;
   const struct {
     const char* name;
-    std::uint64_t faces;
-  } recipes[] = {{"shadow_map_fbo", 1},
-                 {"shadow_map_sampler", 1},
-                 {"shadow_map_pcf", 1},
-                 {"shadow_map_cube", 6}};
+    std::uint64_t all, unread, seen;
+  } recipes[] = {{"shadow_map_fbo", map, 3, map},
+                 {"shadow_map_copy", map * 4 / 3, 3, map * 4 / 3},  // 32 bits
+                 {"shadow_map_sampler", map, 3, map},
+                 {"shadow_map_problems", map, 3, map},
+                 {"shadow_map_pcf", map, 3, map},
+                 {"shadow_map_pcss", map, 3, map},
+                 {"shadow_map_cube", map, 0, 2 * map}};
   std::vector<std::uint8_t> without, with;
-  for (const auto& [name, faces] : recipes) {
-    const std::uint64_t whole = faces * 128 * 128 * 3;
-    EXPECT_EQ(held_by(name, Casters::all, {1.8, 2, 2.2}, {1.8, 0, 1.3}, without), whole) << name;
-    EXPECT_EQ(held_by(name, Casters::planned, {1.8, 2, 2.2}, {1.8, 0, 1.3}, with), faces * 3)
-        << name;
+  for (const auto& [name, all, unread, seen] : recipes) {
+    EXPECT_EQ(held_by(name, Casters::all, {1.8, 2, 2.2}, {1.8, 0, 1.3}, without), all) << name;
+    EXPECT_EQ(held_by(name, Casters::planned, {1.8, 2, 2.2}, {1.8, 0, 1.3}, with), unread) << name;
     EXPECT_EQ(with, without) << name;
-    EXPECT_EQ(held_by(name, Casters::planned, {3, 3, 5}, {0, 0.5, 0}, with), whole) << name;
+    EXPECT_EQ(held_by(name, Casters::planned, {3, 3, 5}, {0, 0.5, 0}, with), seen) << name;
   }
+}
+
+// An accumulation buffer is there either way, and of the exact map three textures of a texel each.
+TEST(RunUnderAPlan, makes_no_map_of_a_point_nor_a_grid_that_nobody_reads) {
+  using Casters = recipe::Options::Casters;
+  std::vector<std::uint8_t> without, with;
+  const auto held = [](const char* name, Casters casters, std::vector<std::uint8_t>& picture) {
+    return held_by(name, casters, {1.8, 2, 2.2}, {1.8, 0, 1.3}, picture);
+  };
+  EXPECT_EQ(held("soft_accumulated", Casters::all, without) - 128 * 128 * 3,
+            held("soft_accumulated", Casters::planned, with) - 3);
+  EXPECT_EQ(with, without);
+  EXPECT_GT(held("shadow_map_exact", Casters::all, without), 256 * 256 * 8);
+  EXPECT_EQ(held("shadow_map_exact", Casters::planned, with), 8 + 4 + 16);
+  EXPECT_EQ(with, without);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Plan,
