@@ -30,11 +30,12 @@ function recipe.holds(r)
   return pcall(shadow.light_view, r.params.light, r.scene, { fit = r.params.fit })
 end
 
--- A bound, far above what two floats leave: 1e-5 of the map's side, and 34 steps of 24 bits in depth.
+-- A bound, far above what two floats leave: 1e-5 of the map's side, and 34 steps of 24 bits in depth. Who is
+-- seen is decided by scene_depth, which pulls receivers by two steps.
 function recipe.limit(r)
   local _, projection = shadow.light_view(r.params.light, r.scene)
   local limit = map_limit({ { projection = projection } }, 1e5)
-  limit.light_units = 34
+  limit.light_units, limit.eye_units = 34, 2
   return limit
 end
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "measure/caster_edges.h"
+
 namespace shadowlab::measure {
 namespace {
 
@@ -32,47 +34,12 @@ scene::Camera ray_camera(glm::dvec3 from, glm::dvec3 to, double near, double far
 // n (1/n - 1/z) is n/z².
 double depth_step(double z, double near) { return z * z / (near * 0x1p24); }
 
-struct Edge {
-  glm::dvec3 a, b;
-};
-
-// The nearest points of two segments, as parameters of each (Ericson, Real-Time Collision
-// Detection, 5.1.9).
-glm::dvec2 nearest(const Edge& p, const Edge& q) {
-  const glm::dvec3 d1 = p.b - p.a, d2 = q.b - q.a, r = p.a - q.a;
-  const double a = glm::dot(d1, d1), e = glm::dot(d2, d2), f = glm::dot(d2, r);
-  if (a == 0 || e == 0) return {0, e == 0 ? 0 : std::clamp(f / e, 0.0, 1.0)};
-  const double c = glm::dot(d1, r), b = glm::dot(d1, d2), denominator = a * e - b * b;
-  double s = denominator > 0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0;
-  double t = (b * s + f) / e;
-  if (t < 0 || t > 1) {
-    t = std::clamp(t, 0.0, 1.0);
-    s = std::clamp((b * t - c) / a, 0.0, 1.0);
-  }
-  return {s, t};
-}
-
 scene::Scene casters_of(const scene::Scene& scene) {
   scene::Scene casters;
   for (const scene::Object& object : scene.objects) {
     if (object.casts()) casters.objects.push_back(object);
   }
   return casters;
-}
-
-std::vector<Edge> edges_of(const scene::Scene& casters) {
-  std::vector<Edge> edges;
-  for (const scene::Object& object : casters.objects) {
-    const scene::Mesh& mesh = *object.mesh;
-    const auto corner = [&](std::size_t i) {
-      return glm::dvec3(object.model * glm::dvec4(mesh.positions[mesh.indices[i]], 1));
-    };
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-      for (std::size_t i = 0; i < 3; ++i)
-        edges.push_back({corner(3 * t + i), corner(3 * t + (i + 1) % 3)});
-    }
-  }
-  return edges;
 }
 
 }  // namespace
@@ -84,7 +51,7 @@ struct Limits::Parts {
   int rows;  ///< of pixels
   scene::Scene caster_scene = casters_of(scene);
   truth::Tracer casters{caster_scene};
-  std::vector<Edge> edges = edges_of(caster_scene);
+  std::vector<Edge> edges = caster_edges(caster_scene, scene.lights[0].position);
   double radius = 0;          ///< of the whole scene
   double light_rounding = 0;  ///< of the light's place, metres, as a caster's own floats have it
 
@@ -130,7 +97,7 @@ class Places {
 
   bool any() const {
     return hidden_behind() || beside_a_sliver() || from_beside_the_light() || along_the_sight() ||
-           across_the_light() || under_the_offset();
+           before_a_side_edge_on() || across_the_light() || under_the_offset();
   }
 
  private:
@@ -170,6 +137,42 @@ class Places {
     return false;
   }
 
+  // Where from `a` to `b`, as parts of the way, an edge of a caster is before the light: there
+  // alone light and dark change.
+  struct Change {
+    double part;
+    std::size_t sides;
+  };
+  std::vector<Change> changes(glm::dvec3 a, glm::dvec3 b) const {
+    const glm::dvec3 along = b - a;
+    const glm::dvec3 normal = glm::cross(along, glm::dvec3(light_) - light_.w * a);
+    std::vector<Change> found;
+    for (const Edge& edge : edges_) {
+      const double from = glm::dot(normal, edge.a - a), to = glm::dot(normal, edge.b - a);
+      if (from == to || (from > 0) == (to > 0)) continue;
+      const glm::dvec3 meets = glm::mix(edge.a, edge.b, from / (from - to));
+      const glm::dvec3 beside = glm::cross(normal, light_.w * meets - glm::dvec3(light_));
+      const double part = glm::dot(beside, meets - a) / glm::dot(beside, along);
+      if (part > 0 && part < 1) found.push_back({part, edge.sides});
+    }
+    std::ranges::sort(found, {}, &Change::part);
+    return found;
+  }
+
+  // Whether somewhere from `a` to `b` is as drawn: between each two changes a place is asked about.
+  // Where two sides of volumes are so near, either may be counted and the other not.
+  bool is_drawn_between(glm::dvec3 a, glm::dvec3 b) const {
+    const auto found = changes(a, b);
+    double last = 0;
+    std::size_t sides = 0;
+    for (const Change& change : found) {
+      sides += change.sides;
+      if (sides > 1 || is_drawn(glm::mix(a, b, (last + change.part) / 2))) return true;
+      last = change.part;
+    }
+    return is_drawn(glm::mix(a, b, (last + 1) / 2));
+  }
+
   // Late, and early where that cannot be a caster's shadow on itself.
   bool along_the_sight() const {
     if (limit_.eye_units == 0) return false;
@@ -178,12 +181,9 @@ class Places {
     const glm::dvec3 back = (camera.eye - at_.point) / distance;
     const double reach = std::min(
         limit_.eye_units * depth_step(at_.depth, camera.near) * distance / at_.depth, distance);
-    for (double part = 1; part > 1e-3; part /= 2) {
-      if (is_drawn(at_.point + back * (part * reach))) return true;
-      if (!scene_.objects[at_.object].casts() && is_drawn(at_.point - back * (part * reach)))
-        return true;
-    }
-    return false;
+    return is_drawn_between(at_.point, at_.point + back * reach) ||
+           (!scene_.objects[at_.object].casts() &&
+            is_drawn_between(at_.point, at_.point - back * reach));
   }
 
   // Of the edges of casters, whether one passes the segment within `share` of the distance from the
@@ -198,16 +198,41 @@ class Places {
     });
   }
 
-  // A rasterizer moves corners by 1/256 of a pixel: what is narrower than that (and than the
-  // lattice on which edges are looked for) may come and go.
+  // 1/128 of a pixel at distance 1. A rasterizer moves corners by 1/256: what is narrower than that
+  // (and than the lattice on which edges are looked for) may come and go.
+  double snapped() const {
+    return 2 * std::tan(glm::radians(scene_.camera.fovy) / 2) / rows_ / 128;
+  }
+
   bool beside_a_sliver() const {
     const scene::Camera& camera = scene_.camera;
-    const double pixel = 2 * std::tan(glm::radians(camera.fovy) / 2) / rows_, snapped = pixel / 128;
+    const double snapped = this->snapped();
     const glm::dvec3 sight = at_.point - camera.eye;
     const double stretch =
         1 / std::max(1e-3, std::abs(glm::dot(glm::normalize(sight), at_.normal)));
     return passes({at_.point, camera.eye}, snapped, 0) ||
            passes(ray(), 0, snapped * at_.depth * stretch);
+  }
+
+  // A side of a volume that the eye sees edge on: both its edges, from an edge of a caster away
+  // from the light, pass the sight within what corners are moved by. Its depth there is any of
+  // those that it has along the sight, so that it may be counted on the wrong side of the surface.
+  bool before_a_side_edge_on() const {
+    if (limit_.eye_units == 0) return false;
+    const double far = 4 * (radius_ + glm::distance(scene_.camera.eye, at_.point)),
+                 share = snapped();
+    const Edge sight{
+        scene_.camera.eye,
+        glm::mix(scene_.camera.eye, at_.point, far / glm::distance(scene_.camera.eye, at_.point))};
+    const auto passed_by = [&](glm::dvec3 corner) {
+      const glm::dvec3 away = light_.w * corner - glm::dvec3(light_);
+      const Edge edge{corner, corner + away * (far / glm::length(away))};
+      const glm::dvec2 at = nearest(sight, edge);
+      return glm::distance(glm::mix(sight.a, sight.b, at.x), glm::mix(edge.a, edge.b, at.y)) <=
+             share * at.x * far;
+    };
+    return std::ranges::any_of(
+        edges_, [&](const Edge& edge) { return passed_by(edge.a) && passed_by(edge.b); });
   }
 
   Edge ray() const {

@@ -27,6 +27,7 @@ class Limits {
   ///  - the light is so near to a surface that a float does not tell which side it is on;
   ///  - along the sight, by the error of the depth that the technique counts against: toward the
   ///    eye, and on receivers away from it;
+  ///  - a side of a caster's volume is seen edge on, within 1/128 of a pixel;
   ///  - across the light's rays, where an edge of a caster is within a map's texels and filter;
   ///  - toward the light, by the offset that keeps a map's surfaces from shadowing themselves,
   ///    which grows with the slopes of the caster and of the surface.

@@ -68,6 +68,51 @@ TEST_F(LimitsTest, along_the_sight_reach_as_far_as_the_depth_buffer_s_steps) {
   EXPECT_TRUE(allowed({.eye_units = 0.2 / step}, 1.3, false)) << "and away from it";
 }
 
+// A second card beside the first. Over the floor at x = 1.2 the ray to the eye meets the plane of
+// light at its edge, x0 at a height of 1, where 1.2 + .804 s = (5 - .595 s) x0 / 4.
+class LimitsOfTwoCards : public LimitsTest {
+ protected:
+  explicit LimitsOfTwoCards() {
+    scene.camera.eye = {5.25, 3, 0};
+    scene.camera.target = {1.2, 0, 0};
+  }
+  void add_card_from(double x0) {
+    glm::dmat4 beside(1);
+    beside[3] = {x0 + 1, 1, 0, 1};
+    add(scene::plane(2, 2), beside, scene::Role::caster);
+    tracer = std::make_unique<truth::Tracer>(scene);
+  }
+  // z² / (near 2^24) of the view's depth 4, along a sight that is 5.04 long.
+  const double step = 4 * 5.04 / (0.1 * 0x1p24);
+};
+
+TEST_F(LimitsOfTwoCards, along_the_sight_meet_a_strip_of_light_however_narrow) {
+  add_card_from(1.002);  // lit from s = .0525 to .0551
+  EXPECT_FALSE(allowed({.eye_units = 0.052 / step}, 1.2, true));
+  EXPECT_TRUE(allowed({.eye_units = 0.054 / step}, 1.2, true));
+}
+
+TEST_F(LimitsOfTwoCards, may_take_one_of_two_sides_and_not_the_other) {
+  add_card_from(
+      0.976);  // its shadow begins at s = .0211, before the first ends at .0525: all is dark
+  EXPECT_FALSE(allowed({.eye_units = 0.04 / step}, 1.2, true));
+  EXPECT_TRUE(allowed({.eye_units = 0.06 / step}, 1.2, true));
+}
+
+// In the plane through the light and the card's edge at x = 1 the eye sees that side of the card's
+// volume edge on; from there the sight at a height of .5 passes both its ends, at z = ±1.125.
+TEST_F(LimitsTest, may_take_a_side_that_is_seen_edge_on_for_before_or_behind) {
+  truth::Surface surface = floor_at(0);
+  surface.point = {1.125, 0.5, 4};
+  surface.normal = {0, 0, -1};
+  const auto dark_seen_from = [&](double x) {
+    scene.camera.eye = {x, 0.5, -5};
+    return Limits(scene, *tracer, {.eye_units = 1e-3}, 64).allow(surface, false);
+  };
+  EXPECT_TRUE(dark_seen_from(1.125));
+  EXPECT_FALSE(dark_seen_from(1.13)) << "1/128 of a pixel is 4e-4 m";
+}
+
 TEST_F(LimitsTest, toward_the_light_reach_as_far_as_the_map_s_depths) {
   // The card is one metre before the floor, five from the light.
   const double step = 25 / (1 * 0x1p24);
