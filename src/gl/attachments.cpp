@@ -130,7 +130,8 @@ std::string name_of_attachment(GLenum attachment) {
 
 }  // namespace
 
-std::vector<AttachmentContents> read_attachments(const Functions& gl, GLuint framebuffer) {
+std::vector<AttachmentContents> read_attachments(const Functions& gl, GLuint framebuffer,
+                                                 std::optional<std::size_t> with_values) {
   std::vector<AttachmentContents> all;
   const auto before = static_cast<GLuint>(integer(gl, GL_READ_FRAMEBUFFER_BINDING));
   const GLint alignment = integer(gl, GL_PACK_ALIGNMENT);
@@ -144,7 +145,13 @@ std::vector<AttachmentContents> read_attachments(const Functions& gl, GLuint fra
         continue;
       const auto size = size_of(gl, attachment.value);
       if (!size || size->width < 1 || size->height < 1) continue;
-      all.push_back(read_one(gl, attachment.value, *size));
+      if (all.size() == with_values) {
+        all.push_back(read_one(gl, attachment.value, *size));
+      } else {
+        all.push_back({});
+        all.back().width = size->width;
+        all.back().height = size->height;
+      }
       all.back().name = name_of_attachment(attachment.value);
       all.back().framebuffer = framebuffer;
     }

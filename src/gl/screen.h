@@ -4,6 +4,7 @@
 //   Screen screen(graphics);
 //   screen.begin(width, height, {0.1f, 0.1f, 0.1f});
 //   screen.draw(triangles);
+//   screen.finish();
 //   context.window()->swap();
 //
 // It is drawn between a recipe's frames and leaves GL's state as it comes: the next frame begins
@@ -74,9 +75,17 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// A framebuffer of that size in one colour.
+  /// A framebuffer of that size in one colour, unless it is `kept`.
   void begin(int width, int height, std::array<float, 3> background);
+  /// Whether the framebuffer holds the frame that was finished last, so that what did not change
+  /// since need not be drawn. A swap may leave anything in it; where drawing is software's work, a
+  /// pixel in the lower left corner says which frame it is.
+  bool kept() const { return kept_; }
+  /// A rectangle (left, top, right, bottom: whole pixels) in the background's colour again.
+  void clear(std::array<int, 4> rectangle);
   void draw(const ScreenTriangles& triangles);
+  /// The frame is whole.
+  void finish();
   /// What is on it.
   image::Image read() const;
 
@@ -86,8 +95,16 @@ class Screen {
   UniformValues uniforms_;
   GLuint vertex_array_ = 0;
   std::array<GLuint, 2> buffers_{};  ///< vertices, indices
+  using Bytes = std::array<std::uint8_t, 4>;
+  Bytes mark() const;
+  void scissor(int left, int top, int right, int bottom) const;
+
   int width_ = 0;
   int height_ = 0;
+  std::array<float, 3> background_{};
+  bool marks_ = false;  ///< frames are marked, since asking for a pixel costs next to nothing
+  bool kept_ = false;   ///< see kept
+  std::uint32_t finished_ = 0;  ///< frames
 };
 
 }  // namespace shadowlab::gl

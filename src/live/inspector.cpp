@@ -46,7 +46,7 @@ void Inspector::stop() {
 
 void Inspector::finish(const recipe::Recipe& recipe) {
   if (!looking_) return;
-  if (wanted_.buffers && !seen_kept_) {
+  if (wanted_.buffer && !seen_kept_) {
     framebuffers_.clear();
     keep_buffers();
   }
@@ -59,7 +59,7 @@ void Inspector::finish(const recipe::Recipe& recipe) {
   std::swap(passes_, seen_);
   std::swap(before_, seen_before_);
   kept_ = seen_kept_;
-  if (wanted_.buffers) std::swap(buffers_, seen_buffers_);
+  if (wanted_.buffer) std::swap(buffers_, seen_buffers_);
 }
 
 bool Inspector::missed_state() const {
@@ -82,13 +82,23 @@ void Inspector::before_draw(const std::function<void()>&) {
 }
 
 void Inspector::keep_buffers() {
-  seen_buffers_ = {graphics_.frame.read_color(),
-                   graphics_.frame.read_depth(),
-                   graphics_.frame.read_stencil(),
-                   {}};
+  using Buffer = LookedAt::Buffer;
+  seen_buffers_ = {};
+  auto& attachments = seen_buffers_.attachments;
+  const auto [buffer, wanted] = *wanted_.buffer;
   for (const GLuint framebuffer : framebuffers_) {
-    for (auto& contents : gl::read_attachments(graphics_.gl, framebuffer))
-      seen_buffers_.attachments.push_back(std::move(contents));
+    std::optional<std::size_t> here;
+    if (buffer == Buffer::attachment && wanted >= attachments.size())
+      here = wanted - attachments.size();
+    for (auto& contents : gl::read_attachments(graphics_.gl, framebuffer, here))
+      attachments.push_back(std::move(contents));
+  }
+  if (buffer == Buffer::depth) {
+    seen_buffers_.depth = graphics_.frame.read_depth();
+  } else if (buffer == Buffer::stencil) {
+    seen_buffers_.stencil = graphics_.frame.read_stencil();
+  } else if (buffer == Buffer::color || wanted >= attachments.size()) {
+    seen_buffers_.color = graphics_.frame.read_color();
   }
 }
 
@@ -102,7 +112,7 @@ void Inspector::pass_ended(const recipe::Recipe& recipe, std::size_t index) {
   if (wants_state()) report.state = drawn_ ? std::move(*drawn_) : gl::state_now(graphics_.gl);
   drawn_.reset();
   if (wanted_.pixel) report.pixel = graphics_.frame.read_pixel(wanted_.pixel->x, wanted_.pixel->y);
-  if (wanted_.buffers && wanted_.pass == report.name) {
+  if (wanted_.buffer && wanted_.pass == report.name) {
     keep_buffers();
     seen_kept_ = index;
   }

@@ -34,7 +34,17 @@ struct PassReport {
   std::optional<gl::MainFrame::Pixel> pixel;
 };
 
-/// The main frame's buffers, and those of other framebuffers that a pass drew to.
+/// Which of a pass's buffers is looked at: the main frame's, or an attachment of another
+/// framebuffer by its place among Buffers::attachments.
+struct LookedAt {
+  enum class Buffer { color, depth, stencil, attachment };
+  Buffer buffer = Buffer::color;
+  std::size_t attachment = 0;
+  bool operator==(const LookedAt&) const = default;
+};
+
+/// The main frame's buffers, and those of other framebuffers that a pass drew to. Of what is in
+/// them the one that is looked at is kept, and the others are empty: reading takes time.
 struct Buffers {
   image::Image color;
   image::FloatImage depth;
@@ -45,8 +55,8 @@ struct Buffers {
 class Inspector : private gl::DrawObserver {
  public:
   struct Wanted {
-    std::optional<PassName> pass;     ///< whose buffers are kept; the frame's end unless given
-    bool buffers = false;             ///< whether any are
+    std::optional<PassName> pass;     ///< whose buffer is kept; the frame's end unless given
+    std::optional<LookedAt> buffer;   ///< which; none unless given
     std::optional<glm::ivec2> pixel;  ///< from the left and the top, inside the picture
   };
 

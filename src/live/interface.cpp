@@ -177,6 +177,7 @@ void Interface::upload_fonts() {
                 pixels + y * row, row);
   }
   fonts_.upload(picture);
+  drawn_.clear();
   ImGui::GetIO().Fonts->SetTexID(texture_id(fonts_, gl::ScreenBatch::Alpha::blended));
 }
 
@@ -228,27 +229,48 @@ void Interface::begin(context::Size size, double seconds) {
   let_go(io.MouseDown, buttons_down_, buttons_up_);
 }
 
-void Interface::end(gl::Screen& screen) {
-  ImGui::Render();
-  const ImDrawData& data = *ImGui::GetDrawData();
-  for (int i = 0; i < data.CmdListsCount; ++i) {
-    const ImDrawList& list = *data.CmdLists[i];
-    batches_.clear();
-    for (const ImDrawCmd& command : list.CmdBuffer) {
-      const auto id = reinterpret_cast<std::uintptr_t>(command.GetTexID());
-      batches_.push_back(
-          {static_cast<GLuint>(id / 2),
-           id % 2 ? gl::ScreenBatch::Alpha::ignored : gl::ScreenBatch::Alpha::blended,
-           {command.ClipRect.x, command.ClipRect.y, command.ClipRect.z, command.ClipRect.w},
-           command.IdxOffset,
-           command.ElemCount,
-           command.VtxOffset});
-    }
-    const auto vertices = static_cast<std::size_t>(list.VtxBuffer.Size);
-    screen.draw({{reinterpret_cast<const gl::ScreenVertex*>(list.VtxBuffer.Data), vertices},
-                 {list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.Size)},
-                 batches_});
+void Interface::draw(gl::Screen& screen, const ImDrawList& list) {
+  batches_.clear();
+  for (const ImDrawCmd& command : list.CmdBuffer) {
+    const auto id = reinterpret_cast<std::uintptr_t>(command.GetTexID());
+    batches_.push_back(
+        {static_cast<GLuint>(id / 2),
+         id % 2 ? gl::ScreenBatch::Alpha::ignored : gl::ScreenBatch::Alpha::blended,
+         {command.ClipRect.x, command.ClipRect.y, command.ClipRect.z, command.ClipRect.w},
+         command.IdxOffset,
+         command.ElemCount,
+         command.VtxOffset});
   }
+  const auto vertices = static_cast<std::size_t>(list.VtxBuffer.Size);
+  screen.draw({{reinterpret_cast<const gl::ScreenVertex*>(list.VtxBuffer.Data), vertices},
+               {list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.Size)},
+               batches_});
+}
+
+void Interface::end(gl::Screen& screen, Pictures pictures) {
+  ImGui::Render();
+  const ImVec2 size = ImGui::GetDrawData()->DisplaySize;
+  const std::array<int, 4> all{0, 0, static_cast<int>(size.x), static_cast<int>(size.y)};
+  const auto parts =
+      parts_of(*ImGui::GetDrawData(), texture_id(fonts_, gl::ScreenBatch::Alpha::blended));
+  const auto damaged = screen.kept() ? damage(drawn_, parts, pictures) : std::nullopt;
+  if (damaged) {
+    for (const auto& [index, ground] : *damaged) {
+      for (const Rectangle& r : ground) {
+        const auto x = static_cast<int>(r.x), y = static_cast<int>(r.y);
+        screen.clear({std::max(x, 0), std::max(y, 0),
+                      std::min(x + static_cast<int>(r.width), all[2]),
+                      std::min(y + static_cast<int>(r.height), all[3])});
+      }
+      for (const ImDrawList* const list : parts[index].lists) draw(screen, *list);
+    }
+  } else {
+    if (screen.kept()) screen.clear(all);
+    for (const Part& part : parts)
+      for (const ImDrawList* const list : part.lists) draw(screen, *list);
+  }
+  drawn_ = drawn(parts);
+  screen.finish();
 }
 
 }  // namespace shadowlab::live

@@ -13,6 +13,7 @@
 
 #include "context/window.h"
 #include "gl/screen.h"
+#include "live/damage.h"
 
 namespace shadowlab::live {
 
@@ -33,8 +34,8 @@ class Interface {
 
   void take(const context::Event& event);
   void begin(context::Size size, double seconds);
-  /// Draws what the panels said since `begin`.
-  void end(gl::Screen& screen);
+  /// Draws what the panels said since `begin`, or of it what differs from what `screen` shows.
+  void end(gl::Screen& screen, Pictures pictures = Pictures::may_have_changed);
 
   /// Whether a text field has the keyboard.
   bool types() const { return ImGui::GetIO().WantTextInput; }
@@ -47,6 +48,7 @@ class Interface {
 
  private:
   void upload_fonts();
+  void draw(gl::Screen& screen, const ImDrawList& list);
 
   gl::Graphics& graphics_;
   ImGuiContext* imgui_;
@@ -57,6 +59,7 @@ class Interface {
   std::optional<Style> style_;
   double scale_ = 0;
   std::vector<gl::ScreenBatch> batches_;
+  std::vector<DrawnPart> drawn_;  ///< of the last frame
   // ImGui looks at keys and buttons once a frame: what went down and up between two looks is held
   // until it has seen it.
   std::vector<int> keys_down_, keys_up_;

@@ -51,8 +51,8 @@ class LiveWindow {
       const double present = now_ms(), seconds = (present - last) / 1000;
       drawing_since_ = present;
       // A script that took seconds is no leap of the clock.
-      opened_->studio.step(std::min(seconds, 0.25));
-      draw(seconds);
+      const bool fresh = opened_->studio.step(std::min(seconds, 0.25));
+      draw(seconds, fresh ? Pictures::may_have_changed : Pictures::as_they_were);
       last = present;
     }
   }
@@ -114,7 +114,7 @@ class LiveWindow {
     if (!opened_->studio.press({&c, 1}) && c == '?') view_.help = !view_.help;
   }
 
-  void draw(double seconds) {
+  void draw(double seconds, Pictures pictures) {
     set_title(title());
     opened_->window.set_extent(view_.extent);
     const context::Size size = opened_->window.size();
@@ -123,7 +123,7 @@ class LiveWindow {
     opened_->interface.begin(size, seconds);
     draw_window(opened_->studio, view_, opened_->interface);
     opened_->screen.begin(size.width, size.height, ground_of(view_.style));
-    opened_->interface.end(opened_->screen);
+    opened_->interface.end(opened_->screen, pictures);
     if (std::exchange(view_.window_shot, false)) save_window();
     opened_->window.swap();
   }

@@ -39,8 +39,11 @@ void draw_status(Studio& studio, const View& view, const Rectangle& area) {
   if (!begin_place("status", area, Scrolling::no)) return ImGui::End();
   std::string text = fmt::format("{:.1f} ms", view.readings.frame_ms());
   const Clock& clock = studio.clock();
-  text += fmt::format("    t = {:.2f} s{}{}", clock.time(), clock.paused() ? ", paused" : "",
-                      clock.speed() != 1 ? ", slow" : "");
+  const recipe::Recipe* const recipe = studio.bench().workshop.recipe();
+  // Who does not ask for the time has none.
+  if (recipe && recipe->read_time()) text += fmt::format("    t = {:.2f} s", clock.time());
+  if (clock.paused()) text += "    paused";
+  if (clock.speed() != 1) text += "    slow motion";
   if (studio.filming()) text += "    filming";
   if (view.overlay != Overlay::none) text += fmt::format("    {}", name_of(view.overlay));
   if (studio.truth_mode() != TruthMode::off)

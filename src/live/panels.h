@@ -1,4 +1,4 @@
-// What is in the window, drawn anew each frame from the studio and the view.
+// What is in the window, said anew each frame from the studio and the view.
 #pragma once
 
 #include "live/interface.h"

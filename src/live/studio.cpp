@@ -126,7 +126,8 @@ void Studio::draw(Bench& bench, const Moment& moment) {
   const bool focused = &bench == &this->bench();
   const bool buffers =
       chosen_ || looked_at_.buffer != LookedAt::Buffer::color || numbers_ == Numbers::shown;
-  if (focused) inspector_.begin({chosen_, buffers, pixel_});
+  if (focused)
+    inspector_.begin({chosen_, buffers ? std::optional(looked_at_) : std::nullopt, pixel_});
   const bool traced = focused && tracing_ == Tracing::on;
   if (traced) {
     recorder_.clear();

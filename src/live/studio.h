@@ -39,15 +39,6 @@ struct StudioOptions {
   recipe::Options recipe;
 };
 
-/// Which of a pass's buffers is looked at: the main frame's, or an attachment of another
-/// framebuffer by its place among Buffers::attachments.
-struct LookedAt {
-  enum class Buffer { color, depth, stencil, attachment };
-  Buffer buffer = Buffer::color;
-  std::size_t attachment = 0;
-  bool operator==(const LookedAt&) const = default;
-};
-
 class Studio {
  public:
   /// What a user did in a session, without a trace of its context.

@@ -132,7 +132,7 @@ void Studio::show_buffers() {
       break;
     case Buffer::stencil:
       buffer_picture_.upload(
-          stencil_picture(buffers.stencil, buffers.color.width, buffers.color.height));
+          stencil_picture(buffers.stencil, graphics_.width(), graphics_.height()));
       break;
     case Buffer::attachment:
       if (looked_at_.attachment < buffers.attachments.size()) {

@@ -132,6 +132,10 @@ TEST_F(StudioTest, a_map_that_a_pass_drew_to_can_be_looked_at) {
   studio->step(0);
   const auto& attachments = studio->inspector().buffers().attachments;
   ASSERT_EQ(attachments.size(), 1u);
+  EXPECT_TRUE(attachments[0].values.empty()) << "nobody looks at them";
+  studio->look_at({LookedAt::Buffer::attachment, 0});
+  studio->step(0);
+  ASSERT_EQ(attachments.size(), 1u);
   EXPECT_EQ(attachments[0].name, "GL_DEPTH_ATTACHMENT");
   EXPECT_EQ(attachments[0].width, 1024);
   EXPECT_LT(*std::ranges::min_element(attachments[0].values), 1.0f);
