@@ -44,6 +44,7 @@ std::size_t Watcher::hash_of(const std::filesystem::path& file, const Stamp& sta
 }
 
 void Watcher::watch(const std::filesystem::path& file) {
+  notices_.listen_to(file);
   if (files_.contains(file)) return;
   const Stamp stamp = look(file);
   files_.emplace(file, File{stamp, hash_of(file, stamp), stamp});
@@ -55,11 +56,13 @@ void Watcher::keep(const std::set<std::filesystem::path>& files) {
 
 bool Watcher::changed() {
   bool any = false;
+  const auto completed = notices_.completed();
   for (auto& [path, file] : files_) {
     const Stamp now = look(path);
-    const bool rests = now == file.seen;
+    const bool whole = completed.contains(path);
+    const bool rests = whole || now == file.seen;
     file.seen = now;
-    if (now == file.told && !(now.exists && may_change_unseen(now))) {
+    if (now == file.told && !whole && !(now.exists && may_change_unseen(now))) {
       file.restless = 0;
       continue;
     }

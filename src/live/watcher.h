@@ -1,15 +1,18 @@
 // Files that are watched for what an editor does to them.
 //
-// Looked at, not listened to: a look is a stat of some dozens of files, it sees an editor that
-// writes by rename, a network's folder and a file that was not there before alike, and tests say
-// when it happens. A file counts as changed when its contents are others, and once it has rested
-// from one look to the next, so that half of a file that is being written is seldom read.
+// They are looked at: a look is a stat of some dozens of files, it sees an editor that writes by
+// rename, a network's folder and a file that was not there before alike, and tests say when it
+// happens. A file counts as changed when its contents are others, and once it is whole: the system
+// says so (live/notices.h), or it has rested from one look to the next. So half of a file that is
+// being written is seldom read.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
+
+#include "live/notices.h"
 
 namespace shadowlab::live {
 
@@ -20,8 +23,8 @@ class Watcher {
   /// Of the files that are watched, these alone from now on.
   void keep(const std::set<std::filesystem::path>& files);
 
-  /// Whether any has changed since it was last told of, and rests. At the fourth look a file that
-  /// does not rest counts too.
+  /// Whether any has changed since it was last told of, and is whole. At the fourth look a file
+  /// that does not rest counts too.
   bool changed();
 
  private:
@@ -42,6 +45,7 @@ class Watcher {
   static bool may_change_unseen(const Stamp& stamp);
 
   std::map<std::filesystem::path, File> files_;
+  Notices notices_;
 };
 
 }  // namespace shadowlab::live
