@@ -77,13 +77,14 @@ local function all_of(objects)
 end
 
 function recipe.setup(r)
+  r.size = r.params.size
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_cascades"
   r.frames = {}
 end
 
 function recipe.draw(r)
-  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.size
   local maps = recipe.maps(r)
   local view, projection = camera:view(), camera:projection(r.width / r.height)
   local to_texture, from_eye = shadow.bias_matrix(), view:inverse()

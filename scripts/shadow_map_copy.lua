@@ -46,12 +46,13 @@ local function setup_map(r, size)
 end
 
 function recipe.setup(r)
+  r.size = r.params.size
   r.flat = shader.load "flat"
   r.mapped = shader.load "shadow_map"
 end
 
 function recipe.draw(r)
-  local scene, light, size = r.scene, r.params.light, r.params.size
+  local scene, light, size = r.scene, r.params.light, r.size
   local light_view, light_projection = shadow.light_view(light, scene)
   local bias = shadow.map_bias(light_projection, size)
 

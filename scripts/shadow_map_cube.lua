@@ -53,6 +53,7 @@ local function make_cube(size, filter)
 end
 
 function recipe.setup(r)
+  r.size, r.filter = r.params.size, r.params.filter
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_cube"
   r.frames, r.shown = {}, {}
@@ -65,16 +66,16 @@ end
 -- Where the faces are: in a cube, where all are read, or a filter goes from one to the next; else those that
 -- are read alone, as layers of an array, by their numbers from 0, and -1 for the others.
 local function places(r, faces, read)
-  local size, filter, count = r.params.size, r.params.filter, 0
+  local count = 0
   for i, face in ipairs(faces) do
     face.read = read[i] or false
     if face.read then count = count + 1 end
   end
-  if count == 6 or count > 0 and filter == "LINEAR" then
-    r.cube = r.cube or make_cube(size, filter)
+  if count == 6 or count > 0 and r.filter == "LINEAR" then
+    r.cube = r.cube or make_cube(r.size, r.filter)
     return { -1, -1, -1, -1, -1, -1 }, r.cube
   end
-  local layers = map_array.layers_of(r, size, faces)
+  local layers = map_array.layers_of(r, r.size, faces)
   if r.layers then
     -- A face's rim goes on, as it does in a cube.
     gl.BindTexture(gl.TEXTURE_2D_ARRAY, r.layers)
@@ -87,11 +88,11 @@ end
 local every = { true, true, true, true, true, true }
 
 function recipe.draw(r)
-  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.size
   local fit = { fit = r.params.keep and "scene" or "view" }
   local near, far = shadow.cube_range(light, scene, fit)
   local faces = shadow.cube_faces(light, near, far)
-  local bias = shadow.map_bias(faces[1].projection, size, r.params.filter == "LINEAR" and 2 or 1)
+  local bias = shadow.map_bias(faces[1].projection, size, r.filter == "LINEAR" and 2 or 1)
   local read = not bias.read and {} or r.params.cull and shadow.faces_needed(light, scene, fit) or every
   local layers, cube = places(r, faces, read)
   local held = table.concat(layers, " ")

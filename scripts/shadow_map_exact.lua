@@ -40,6 +40,7 @@ function recipe.limit(r)
 end
 
 function recipe.setup(r)
+  r.cells = r.params.cells
   r.flat = shader.load "flat"
   r.exact = shader.load "shadow_map_exact"
   r.ranges, r.list, r.triangles = gl.GenTextures(3)
@@ -78,7 +79,7 @@ local function rays(camera, width, height)
 end
 
 function recipe.draw(r)
-  local scene, camera, light, cells = r.scene, r.scene.camera, r.params.light, r.params.cells
+  local scene, camera, light, cells = r.scene, r.scene.camera, r.params.light, r.cells
   local light_view, light_projection = shadow.light_view(light, scene, { fit = r.params.fit })
 
   -- For a frame in which nobody reads it the grid is one cell, and empty.

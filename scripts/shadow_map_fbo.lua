@@ -60,13 +60,14 @@ local function make_map(r, size)
 end
 
 function recipe.setup(r)
+  r.size, r.bias = r.params.size, r.params.bias   -- what a map that is kept was made for
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map"
   r.shown = {}
 end
 
 function recipe.draw(r)
-  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.size
   local light_view, light_projection
   if r.params.coverage == "lesson" then
     light_projection = mat4.ortho(-10, 10, -10, 10, 1, 7.5)
@@ -83,7 +84,7 @@ function recipe.draw(r)
       gl.Viewport(0, 0, size, size)
       gl.BindFramebuffer(gl.FRAMEBUFFER, r.fbo)
       gl.Clear(gl.DEPTH_BUFFER_BIT)
-      if r.params.bias == "offset" then
+      if r.bias == "offset" then
         gl.Enable(gl.POLYGON_OFFSET_FILL)
         gl.PolygonOffset(bias.factor, bias.units)
       end
@@ -104,8 +105,8 @@ function recipe.draw(r)
     draw_lit(scene, r.mapped, {
       view = view, projection = projection, light = light, shadow_map = 1,
       light_matrix = shadow.bias_matrix() * light_projection * light_view * view:inverse(),
-      normal_offset = r.params.bias == "normal" and bias.normal_offset or 0,
-      reach = r.params.bias == "offset" and bias.reach or 0,
+      normal_offset = r.bias == "normal" and bias.normal_offset or 0,
+      reach = r.bias == "offset" and bias.reach or 0,
     })
   end)
 end

@@ -79,19 +79,20 @@ function recipe.limit(r)
 end
 
 function recipe.setup(r)
+  r.size, r.texels = r.params.size, r.params.hardware and gl.LINEAR or gl.NEAREST
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_pcf"
 end
 
 function recipe.draw(r)
-  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.size
   local light_view, light_projection = shadow.light_view(light, scene)
   local taps = filter(r.params)
   -- A disk that turns reaches as far as its circle in every direction.
   local reads = (#taps > 1 and r.params.width or 0) + (r.params.hardware and 2 or 1)
 
   local bias = shadow.map_bias(light_projection, size, reads)
-  local map = map_pass.kept(r, bias.read, size, gl.LEQUAL, r.params.hardware and gl.LINEAR or gl.NEAREST)
+  local map = map_pass.kept(r, bias.read, size, gl.LEQUAL, r.texels)
 
   if bias.read then
     pass("1. the map", function()

@@ -25,12 +25,13 @@ function recipe.holds(r)
 end
 
 function recipe.setup(r)
+  r.size = r.params.size
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_pcss"
 end
 
 function recipe.draw(r)
-  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.size
   -- With room around the casters for the parts of them that only the light's edge sees.
   local light_view, light_projection, near, far = shadow.light_view(light, scene, { radius = r.params.radius })
   local bias = shadow.map_bias(light_projection, size, 2)

@@ -29,12 +29,13 @@ function recipe.limit(r)
 end
 
 function recipe.setup(r)
+  r.size = r.params.size
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_sampler"
 end
 
 function recipe.draw(r)
-  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.params.size
+  local scene, camera, light, size = r.scene, r.scene.camera, r.params.light, r.size
   local light_view, light_projection = shadow.light_view(light, scene)
   local bias = shadow.map_bias(light_projection, size)
   local map = map_pass.kept(r, bias.read, size)

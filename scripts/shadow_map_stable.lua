@@ -50,13 +50,14 @@ function recipe.limit(r)
 end
 
 function recipe.setup(r)
+  r.size = r.params.size
   r.depth = shader.load "flat"
   r.mapped = shader.load "shadow_map_cascades"
   r.frames = {}
 end
 
 function recipe.draw(r)
-  local scene, light, size = r.scene, r.params.light, r.params.size
+  local scene, light, size = r.scene, r.params.light, r.size
   local maps, camera = recipe.maps(r)
   local view, projection = camera:view(), camera:projection(r.width / r.height)
   local to_texture, from_eye = shadow.bias_matrix(), view:inverse()

@@ -62,6 +62,7 @@ function recipe.limit(r)
 end
 
 function recipe.setup(r)
+  r.size = r.params.size
   r.phong = shader.load "phong"
   r.volume = shader.load "volume"
   r.flat = shader.load "flat"
@@ -122,10 +123,10 @@ local function draw_map(r, seen, light)
   local light_view, light_projection = shadow.light_view(light, r.scene)
   gl.DepthMask(true)
   gl.DepthFunc(gl.LESS)
-  local bias = shadow.map_bias(light_projection, r.params.size)
-  local map = map_pass.kept(r, bias.read, r.params.size)
+  local bias = shadow.map_bias(light_projection, r.size)
+  local map = map_pass.kept(r, bias.read, r.size)
   if bias.read then
-    map_pass.draw(r, r.frame, r.params.size, r.scene.caster, r.flat, light_view, light_projection, bias)
+    map_pass.draw(r, r.frame, r.size, r.scene.caster, r.flat, light_view, light_projection, bias)
   end
   gl.Enable(gl.DEPTH_TEST)
   gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)

@@ -29,6 +29,14 @@ std::string fitted(const lua::Parameter& parameter, const std::string& value) {
   return lua::text_of(clamped);
 }
 
+// Throws InputError for a value that the parameter does not take.
+void refuse_unfit(const recipe::Recipe& recipe, const std::string& name, const std::string& value) {
+  for (const auto& known : recipe.parameters()) {
+    lua::Parameter tried = known.parameter;
+    if (known.name == name) lua::set_value(tried, name, value);
+  }
+}
+
 }  // namespace
 
 Workshop::Workshop(gl::Graphics& graphics, std::filesystem::path file, recipe::Options options)
@@ -152,8 +160,11 @@ Workshop::Drawn Workshop::draw_coarse(const Moment& moment, int coarseness) {
 }
 
 void Workshop::set(const std::string& name, const std::string& value) {
-  if (good_) good_->set(name, value);
+  const bool made_for_it = good_ && good_->was_set_up_for(name);
+  if (made_for_it) refuse_unfit(*good_, name, value);
+  if (good_ && !made_for_it) good_->set(name, value);
   changes_.settings[name] = value;
+  if (made_for_it) return reload();
   retry();
 }
 

@@ -176,17 +176,58 @@ Limit Recipe::limit() {
 void Recipe::push_context(double time) {
   lua_State* L = state_.raw();
   lua_rawgeti(L, LUA_REGISTRYINDEX, context_);
-  lua_createtable(L, 0, static_cast<int>(parameters_.size()));
-  for (const NamedParameter& known : parameters_) {
-    lua::push_value(L, known.parameter);
-    lua_setfield(L, -2, known.name.c_str());
-  }
+  push_parameters();
   lua_setfield(L, -2, "params");
   lua_pushinteger(L, graphics_.width());
   lua_setfield(L, -2, "width");
   lua_pushinteger(L, graphics_.height());
   lua_setfield(L, -2, "height");
   time_ = time;
+}
+
+void Recipe::push_parameters() {
+  lua_State* L = state_.raw();
+  lua_createtable(L, 0, static_cast<int>(parameters_.size()));
+  for (const NamedParameter& known : parameters_) {
+    lua::push_value(L, known.parameter);
+    lua_setfield(L, -2, known.name.c_str());
+  }
+}
+
+// The parameters as setup has them: a table that holds none, so that it is known which it asks for.
+void Recipe::push_watched_parameters() {
+  lua_State* L = state_.raw();
+  lua_newtable(L);
+  lua_newtable(L);
+  lua_pushlightuserdata(L, this);
+  lua_pushcclosure(L, look_up_in_setup, 1);
+  lua_setfield(L, -2, "__index");
+  lua_pushlightuserdata(L, this);
+  lua_pushcclosure(L, list_in_setup, 1);
+  lua_setfield(L, -2, "__pairs");
+  lua::lock_metatable(L, lua_gettop(L));
+  lua_setmetatable(L, -2);
+}
+
+int Recipe::look_up_in_setup(lua_State* L) {
+  auto* const recipe = static_cast<Recipe*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string_view name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  for (const NamedParameter& known : recipe->parameters_) {
+    if (known.name != name) continue;
+    recipe->read_in_setup_.insert(known.name);
+    lua::push_value(L, known.parameter);
+    return 1;
+  }
+  return 0;
+}
+
+int Recipe::list_in_setup(lua_State* L) {
+  auto* const recipe = static_cast<Recipe*>(lua_touserdata(L, lua_upvalueindex(1)));
+  for (const NamedParameter& known : recipe->parameters_) recipe->read_in_setup_.insert(known.name);
+  lua_getglobal(L, "pairs");
+  recipe->push_parameters();
+  lua_call(L, 1, 3);
+  return 3;
 }
 
 // r.time, which r does not hold, so that it is known who asks for it.
@@ -210,6 +251,8 @@ void Recipe::set_up() {
   state_.run([&](lua_State* L) {
     if (!push_function("setup")) return;
     push_context(0);
+    push_watched_parameters();
+    lua_setfield(L, -2, "params");
     lua_call(L, 1, 0);
   });
   lua::end_setup(stage_);

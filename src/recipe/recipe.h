@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -113,6 +114,10 @@ class Recipe : private lua::PassListener {
 
   /// Whether its setup ran.
   bool is_set_up() const { return set_up_; }
+  /// Whether it asked for this parameter: what it made holds for that value alone.
+  bool was_set_up_for(const std::string& parameter) const {
+    return read_in_setup_.contains(parameter);
+  }
 
   /// Whether the technique claims to be right for this camera and light: what the recipe's function
   /// `holds` says; true without one.
@@ -153,7 +158,11 @@ class Recipe : private lua::PassListener {
   void load_scene(const std::optional<std::string>& override_name);
   void set_up();
   void push_context(double time);
+  void push_parameters();
+  void push_watched_parameters();
   static int look_up_in_context(lua_State* L);
+  static int look_up_in_setup(lua_State* L);
+  static int list_in_setup(lua_State* L);
   bool push_function(const char* name);
 
   gl::Graphics& graphics_;
@@ -173,8 +182,9 @@ class Recipe : private lua::PassListener {
   gl::Work work_;
   gl::Work work_before_pass_;
   bool set_up_ = false;
-  double time_ = 0;         ///< r.time of this frame
-  bool read_time_ = false;  ///< it was asked for
+  std::set<std::string, std::less<>> read_in_setup_;  ///< parameters
+  double time_ = 0;                                   ///< r.time of this frame
+  bool read_time_ = false;                            ///< it was asked for
   int scene_load_ = LUA_NOREF;
   int table_ = LUA_NOREF;    ///< the recipe's table, in Lua's registry
   int context_ = LUA_NOREF;  ///< r, which carries the recipe's resources from frame to frame

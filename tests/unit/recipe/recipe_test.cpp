@@ -164,6 +164,29 @@ TEST_F(RecipeParameters, tell_whether_the_time_was_asked_for) {
   EXPECT_FALSE(recipe.read_time());
 }
 
+TEST_F(RecipeParameters, tell_which_of_them_setup_asked_for) {
+  const auto asked = [&](const std::string& setup) {
+    const RecipeFile file(
+        "local recipe = { params = { a = param.number(1, 0, 2), b = param.toggle(true) } }\n"
+        "function recipe.setup(r) " +
+        setup +
+        " end\n"
+        "function recipe.draw(r) print(r.params.a, r.params.b) end\nreturn recipe");
+    Options options;
+    std::string printed;
+    options.print = [&printed](std::string_view text) { printed += text; };
+    Recipe recipe(graphics(), file.path(), options);
+    recipe.draw();
+    return printed + (recipe.was_set_up_for("a") ? "a" : "") +
+           (recipe.was_set_up_for("b") ? "b" : "");
+  };
+  EXPECT_EQ(asked(""), "1.0\ttrue\n");
+  EXPECT_EQ(asked("r.a = r.params.a"), "1.0\ttrue\na");
+  EXPECT_EQ(asked("print(r.params.c)"), "nil\n1.0\ttrue\n");
+  EXPECT_EQ(asked("for name, value in pairs(r.params) do print(name, value) end"),
+            "a\t1.0\nb\ttrue\n1.0\ttrue\nab");
+}
+
 TEST_F(RecipeParameters, refuse_values_of_another_kind_with_what_they_take) {
   const RecipeFile file(parameterised);
   Recipe recipe(graphics(), file.path());
