@@ -15,7 +15,7 @@ return function(maps, size, filter)
     if projection:row(4).w == 0 then
       local near, far = depth.w / (depth.z - 1), depth.w / (depth.z + 1)
       limit.light_near = math.min(limit.light_near, near)
-      if near < 2e-5 * far then limit.light_units = 1e9 end
+      if near < 2e-5 * far then limit.light_units = math.huge end
     else
       limit.light_near = 0
       limit.light_range = math.max(limit.light_range, -2 / depth.z)

@@ -264,6 +264,7 @@ class Places {
 
   // A place in the dark is lit where what hides it from the light was pushed past it.
   bool under_the_offset() const {
+    if (std::isinf(limit_.light_units)) return true;  // a map that tells no depths at all
     if (!lit_ || (limit_.across == 0 && limit_.light_units == 0)) return false;
     const truth::Surface first = first_before();
     if (!first.hit()) return true;  // edge on, or the surface itself

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 namespace shadowlab::measure {
@@ -118,6 +119,8 @@ TEST_F(LimitsTest, toward_the_light_reach_as_far_as_the_map_s_depths) {
   const double step = 25 / (1 * 0x1p24);
   EXPECT_FALSE(allowed({.light_units = 0.9 / step, .light_near = 1}, 0.5, true));
   EXPECT_TRUE(allowed({.light_units = 1.2 / step, .light_near = 1}, 0.5, true));
+  EXPECT_FALSE(allowed({.light_units = 1.2 / step, .light_near = 1}, 1.5, false)) << "lit";
+  EXPECT_TRUE(allowed({.light_units = HUGE_VAL, .light_near = 1}, 1.5, false)) << "tells no depths";
 }
 
 }  // namespace
