@@ -10,6 +10,8 @@
 namespace shadowlab::cli_tests {
 namespace {
 
+using testing::AnyOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -121,15 +123,36 @@ TEST_F(Measure, a_sweep_of_no_parameter_is_an_error_that_names_the_near_one) {
   expect_sentence(run("measure bad.lua"), 2, "sweep.sise is no parameter; did you mean size?");
 }
 
-// The page in a browser: its script comes to its end, and draws what the report has.
-TEST_F(Measure, the_page_draws_itself_in_a_browser) {
+// The page in a browser 400 pixels wide: its script comes to its end, and draws what the report
+// has; nothing but tables, which scroll, is wider than the window; nothing is fetched from
+// anywhere; and with a plot in focus the arrow keys walk from its fastest point on, with the
+// pictures behind it.
+TEST_F(Measure, the_page_draws_itself_in_a_narrow_browser_and_answers_to_keys) {
   ASSERT_EQ(run(small).code, 0);
+  std::string page = text_of(folder / "a report/report.html");
+  EXPECT_THAT(page,
+              Not(AnyOf(HasSubstr("src=\"http"), HasSubstr("href=\"http"), HasSubstr("@import"))));
+  page.insert(page.rfind("</body>"), R"(<script>
+    const plotted = document.querySelector("canvas[tabindex]");
+    plotted.focus();
+    const press = (key) => plotted.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    const told = () => document.querySelector(".chosen strong")?.textContent ?? "nothing";
+    press("ArrowRight");
+    const first = told();
+    press("ArrowRight");
+    document.body.append(`keys: ${document.activeElement === plotted} ${first} then ${told()},`
+      + ` ${document.querySelectorAll(".chosen img").length} pictures,`
+      + ` ${document.documentElement.scrollWidth <= document.documentElement.clientWidth ? "fits" : "too wide"}`);
+    </script>)");
+  write("a report/with keys.html", page);
   const Ended ended =
       run("--version >/dev/null; HOME=\"$PWD\" chromium --headless --no-sandbox --disable-gpu "
-          "--virtual-time-budget=20000 --dump-dom 'a report/report.html'");
+          "--window-size=400,800 --virtual-time-budget=20000 --dump-dom 'a report/with keys.html'");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("data-ready=\"yes\""));
   EXPECT_THAT(ended.out, HasSubstr("The Pareto front in tetra"));
+  EXPECT_THAT(ended.out, ContainsRegex("keys: true shadow_map_cube[ a-z=0-9]* then shadow_map_cube "
+                                       "size=[0-9]*, 3 pictures, fits"));
 }
 
 }  // namespace

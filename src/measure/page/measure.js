@@ -202,7 +202,7 @@ function summary() {
     }
   }
   section("fastest", "Fastest technique under an error",
-    make("p", { class: "quiet" }, "The error is the RMSE of visibility over all compared pixels of a picture. FLIP, in the tables below, compares final pictures with the ray-traced one in the same light, and so counts what a recipe colours otherwise too."),
+    make("p", { class: "quiet" }, "The error is the RMSE of visibility over all compared pixels of a picture. FLIP, in the tables below, compares final pictures with the ray-traced one in the same light, and so counts what a recipe colours otherwise too. A frame is one of many under a still light: what a recipe keeps from frame to frame (the maps of shadow_map_cube and shadow_map_exact, unless told otherwise) is made in the first, which is not timed."),
     table("The fastest point whose RMSE is at most…", [["scene"], ["light"], ...thresholds.map(([, name]) => [name])], rows));
 }
 
