@@ -6,7 +6,7 @@ exec </dev/null
 . checks/packages.sh
 . checks/build.sh
 
-install_packages
+install_packages without_tests
 lock_build_folder
 build release shadowlab
 build/release/bin/shadowlab gallery -o out/gallery

@@ -19,7 +19,7 @@ case ${1:-} in
     ;;
 esac
 
-install_packages
+install_packages all
 lock_build_folder
 for preset in "${presets[@]}"; do build "$preset" all; done
 

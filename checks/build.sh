@@ -55,17 +55,20 @@ first_error() {
   grep -m1 -A4 -E 'error:|CMake Error|undefined reference|multiple definition' "$1" || tail -n 5 "$1"
 }
 
-# configure PRESET: does nothing where the build folder is of this checkout and newer than the presets;
-# ninja itself runs CMake again for everything else. A configuration that was cut short starts afresh.
+# configure PRESET TARGET: does nothing where the build folder is of this checkout and newer than the
+# presets; ninja itself runs CMake again for everything else. A configuration that was cut short starts
+# afresh. The target `all` has tests and benchmarks in it, which need packages of their own.
 configure() {
-  local folder=build/$1
+  local folder=build/$1 parts=(-DSHADOWLAB_TESTS=OFF -DSHADOWLAB_BENCH=OFF) tests='(ON|OFF)'
+  [ "$2" != all ] || parts=() tests=ON
   if [ -f "$folder/build.ninja" ] && [ "$folder/build.ninja" -nt CMakePresets.json ] &&
-    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$folder/CMakeCache.txt"; then
+    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$folder/CMakeCache.txt" &&
+    grep -Eq "^SHADOWLAB_TESTS:BOOL=$tests" "$folder/CMakeCache.txt"; then
     return
   fi
   mkdir -p "$folder"
   echo "Configuring $1"
-  if ! cmake --fresh --preset "$1" >"$folder/configure.log" 2>&1; then
+  if ! cmake --fresh --preset "$1" "${parts[@]}" >"$folder/configure.log" 2>&1; then
     rm -f "$folder/build.ninja"
     first_error "$folder/configure.log" >&2
     stop 3 "CMake could not configure shadowlab; all it said is in $folder/configure.log."
@@ -77,7 +80,7 @@ configure() {
 # build PRESET TARGET...
 build() {
   local folder=build/$1
-  configure "$1"
+  configure "$1" "$2"
   set +e
   ninja -C "$folder" -j "$(jobs_here)" "${@:2}" 2>&1 | tee "$folder/build.log" | show_progress "$1"
   local status=${PIPESTATUS[0]}

@@ -7,10 +7,16 @@ stop() {
   exit "$1"
 }
 
-# The names in packages.txt of which this machine has none installed, one a line.
+# wanted_packages all|without_tests: the names in packages.txt, one a line.
+wanted_packages() {
+  awk -v kind="$1" '/^#/ { part = $0; next } NF && (kind == "all" || part != "# tests") { print $1 }' \
+    packages.txt | sort -u
+}
+
+# missing_packages all|without_tests: those of them that this machine has not installed.
 missing_packages() {
   local wanted
-  wanted=$(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' packages.txt | sort -u)
+  wanted=$(wanted_packages "$1")
   # dpkg-query fails when it does not know one of them, and still lists the others.
   # shellcheck disable=SC2086  # names are split into words on purpose
   dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null |
@@ -38,12 +44,13 @@ apt_shown() {
   fi
 }
 
+# install_packages all|without_tests
 install_packages() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     stop 3 "This is not Debian (it has no apt-get): install what packages.txt lists, then build with cmake --preset release && cmake --build --preset release."
   fi
   local missing log why
-  missing=$(missing_packages | tr '\n' ' ')
+  missing=$(missing_packages "$1" | tr '\n' ' ')
   missing=${missing% }
   [ -z "$missing" ] && return
   if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
@@ -54,7 +61,7 @@ install_packages() {
   # Old lists name files that the mirror no longer has; without a network the lists may still do.
   apt_shown update || true
   # shellcheck disable=SC2086
-  if ! apt_shown install -y --no-install-recommends $missing || [ -n "$(missing_packages)" ]; then
+  if ! apt_shown install -y --no-install-recommends $missing || [ -n "$(missing_packages "$1")" ]; then
     why=$(grep -m1 -E '^(E:|sudo:)' "$log" | sed -e 's/^E: //' -e 's/[.[:space:]]*$//')
     rm -f "$log"
     stop 3 "These packages are missing and could not be installed${why:+ ($why)}: $missing"
