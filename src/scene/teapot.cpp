@@ -1,3 +1,6 @@
+#include <span>
+#include <vector>
+
 #include "scene/limits.h"
 #include "scene/mesh.h"
 #include "scene/teapot_patches.h"
@@ -89,29 +92,41 @@ glm::dvec3 weighted(const Patch& patch, const Weights& u, const Weights& v) {
   return sum;
 }
 
+/// One of the steps in which a patch is walked through, in either direction.
+struct Step {
+  double at;
+  Weights weights, slopes;
+};
+
+std::vector<Step> steps(int divisions) {
+  std::vector<Step> all;
+  for (int i = 0; i <= divisions; ++i) {
+    const double at = static_cast<double>(i) / divisions;
+    all.push_back({at, bernstein(at), bernstein_derivative(at)});
+  }
+  return all;
+}
+
 /// The outward normal at (u, v), u along the rows. Where a border has shrunk to a point, ∂S/∂v is
 /// zero; near it ∂S/∂v ≈ (u − u₀) ∂²S/∂u∂v, which takes its place.
-glm::dvec3 normal_at(const Patch& patch, double u, double v) {
-  const Weights along = bernstein_derivative(u), around = bernstein_derivative(v);
-  const glm::dvec3 du = weighted(patch, along, bernstein(v));
-  glm::dvec3 dv = weighted(patch, bernstein(u), around);
-  if (glm::length(dv) < 1e-9) dv = weighted(patch, along, around) * (u < 0.5 ? 1.0 : -1.0);
+glm::dvec3 normal_at(const Patch& patch, const Step& u, const Step& v) {
+  const glm::dvec3 du = weighted(patch, u.slopes, v.weights);
+  glm::dvec3 dv = weighted(patch, u.weights, v.slopes);
+  if (glm::length(dv) < 1e-9) dv = weighted(patch, u.slopes, v.slopes) * (u.at < 0.5 ? 1.0 : -1.0);
   return glm::normalize(glm::cross(du, dv));
 }
 
 /// Newell's z up to our y up: a turn around x, so that orientation stays.
 glm::vec3 y_up(const glm::dvec3& p) { return glm::vec3(glm::dvec3(p.x, p.z, -p.y)) + 0.0f; }
 
-void add_patch(Mesh& mesh, const Patch& patch, double scale, int divisions) {
+void add_patch(Mesh& mesh, const Patch& patch, double scale, std::span<const Step> steps) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const auto n = static_cast<std::uint32_t>(divisions);
-  for (std::uint32_t i = 0; i <= n; ++i) {
-    const double u = static_cast<double>(i) / n;
-    for (std::uint32_t j = 0; j <= n; ++j) {
-      const double v = static_cast<double>(j) / n;
-      mesh.positions.push_back(y_up(scale * weighted(patch, bernstein(u), bernstein(v))));
+  const auto n = static_cast<std::uint32_t>(steps.size() - 1);
+  for (const Step& u : steps) {
+    for (const Step& v : steps) {
+      mesh.positions.push_back(y_up(scale * weighted(patch, u.weights, v.weights)));
       mesh.normals.push_back(y_up(normal_at(patch, u, v)));
-      mesh.uvs.emplace_back(v, 1.0 - u);
+      mesh.uvs.emplace_back(v.at, 1.0 - u.at);
     }
   }
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -134,10 +149,15 @@ void add_patch(Mesh& mesh, const Patch& patch, double scale, int divisions) {
 Mesh teapot(double size, int divisions) {
   check_length("teapot's size", size);
   check_count("teapot's number of divisions", divisions, 1, max_teapot_divisions);
+  const auto walked = steps(divisions);
+  const auto patches = newell::patches();
+  const std::size_t points = patches.size() * walked.size() * walked.size();
   Mesh mesh;
-  for (const Patch& patch : newell::patches()) {
-    add_patch(mesh, patch, size / table_height, divisions);
-  }
+  mesh.positions.reserve(points);
+  mesh.normals.reserve(points);
+  mesh.uvs.reserve(points);
+  mesh.indices.reserve(6 * points);
+  for (const Patch& patch : patches) add_patch(mesh, patch, size / table_height, walked);
   return mesh;
 }
 
