@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 #include <new>
@@ -84,10 +85,13 @@ std::optional<std::string> read_text(const std::filesystem::path& path, std::siz
   if (!fs::is_regular_file(status)) return name + ": this is not a plain file";
   std::ifstream file(path, std::ios::binary);
   if (!file) return name + ": the file cannot be read; look at its permissions";
-  text.resize(limit + 1);
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  // In blocks: a script is small, and the limit is not.
+  std::array<char, 1 << 14> block;
+  while (file && text.size() <= limit) {
+    file.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) return name + ": the file cannot be read";
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > limit)
     return fmt::format("{}: the file is larger than {}, too large for a script", name,
                        size_text(limit));
