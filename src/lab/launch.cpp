@@ -36,12 +36,13 @@ fs::path program_of(const Isolation& isolation) {
 // What a worker's environment has: the choice of a driver, and nothing about who runs it. Its
 // driver has no threads and no cache on the disk (zygote.h), and its shaders are not optimized: a
 // submission draws a few small pictures, and compiles for them more than it draws. The pixels are
-// the same.
+// the same. Its heap grows by large pages (filled_heap.h).
 Words environment() {
   Words variables{"LP_NUM_THREADS=0",
                   "MESA_SHADER_CACHE_DISABLE=true",
                   "LIBGL_ALWAYS_SOFTWARE=1",
                   "GALLIVM_PERF=nopt",
+                  "GLIBC_TUNABLES=glibc.malloc.hugetlb=1",
                   "LC_ALL=C",
                   "SHADOWLAB_HOME=" + home().string()};
   for (const char* name : {"LD_LIBRARY_PATH", "LP_NATIVE_VECTOR_WIDTH", "GALLIUM_DRIVER",

@@ -14,7 +14,6 @@
 #include <fstream>
 
 #include "lab/channel.h"
-#include "lab/system_calls.h"
 
 #include <fcntl.h>
 
@@ -96,13 +95,13 @@ std::string names_of(const Layers& layers, bool that_hold) {
   return names;
 }
 
-Layers lock_in(const Lock& lock) {
+Layers lock_in(const Lock& lock, const SystemCallFilter& filter) {
   Layers layers;
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);  // no process of the same user looks into it
   layers.limits = set_limits(lock);      // while it may still read how much memory it has
   layers.landlock = set_file_rules(lock);
-  layers.filter = filter_system_calls();
+  layers.filter = filter.hold();
   return layers;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/layers.h"
+#include "lab/system_calls.h"
 
 namespace shadowlab::lab {
 
@@ -17,7 +18,7 @@ struct Lock {
 /// Takes from the calling process, for good, whatever drawing does not need; gives what holds (the
 /// namespaces are not its business). It must have one thread, and no descriptor that it may not
 /// use.
-Layers lock_in(const Lock& lock);
+Layers lock_in(const Lock& lock, const SystemCallFilter& filter);
 
 /// A process that ran out of address space ends with this code, in place of the signal that it
 /// dies of, from here on.

@@ -1,14 +1,18 @@
 #include "lab/system_calls.h"
 
 #include <fcntl.h>
+#include <linux/seccomp.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <initializer_list>
 #include <memory>
+
+#include "lab/channel.h"
 
 namespace shadowlab::lab {
 namespace {
@@ -57,14 +61,38 @@ constexpr std::initializer_list<Refused> refused = {
 
 constexpr scmp_datum_t changes = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND;
 
+struct Release {
+  void operator()(void* filter) const { ::seccomp_release(filter); }
+};
+using Rules = std::unique_ptr<void, Release>;
+
+// As the kernel takes them; none where there was no memory or file for that.
+std::vector<sock_filter> program_of(const Rules& rules) {
+  const Descriptor file(::memfd_create("filter", MFD_CLOEXEC));
+  if (!file.is_open() || ::seccomp_export_bpf(rules.get(), file.number()) != 0) return {};
+  const off_t bytes = ::lseek(file.number(), 0, SEEK_END);
+  std::vector<sock_filter> program(static_cast<std::size_t>(bytes) / sizeof(sock_filter));
+  if (::pread(file.number(), program.data(), program.size() * sizeof(sock_filter), 0) != bytes)
+    return {};
+  return program;
+}
+
+// Of the calls that the list below allows, one only to itself: abort() is a signal. Which process
+// that is differs from one to the next.
+bool hold_signals_to_itself() {
+  const Rules rules(::seccomp_init(SCMP_ACT_ALLOW));
+  const auto itself = static_cast<scmp_datum_t>(::getpid());
+  return rules &&
+         ::seccomp_rule_add(rules.get(), SCMP_ACT_KILL_PROCESS, SCMP_SYS(tgkill), 1,
+                            SCMP_A0(SCMP_CMP_NE, itself)) == 0 &&
+         ::seccomp_load(rules.get()) == 0;
+}
+
 }  // namespace
 
-bool filter_system_calls() {
-  struct Release {
-    void operator()(void* filter) const { ::seccomp_release(filter); }
-  };
-  const std::unique_ptr<void, Release> filter(::seccomp_init(SCMP_ACT_KILL_PROCESS));
-  if (!filter) return false;
+SystemCallFilter::SystemCallFilter() {
+  const Rules filter(::seccomp_init(SCMP_ACT_KILL_PROCESS));
+  if (!filter) return;
   scmp_filter_ctx all = filter.get();
   bool good = true;
   // A call that this architecture does not have is none that could be made.
@@ -95,9 +123,7 @@ bool filter_system_calls() {
   // for.
   rule(SCMP_ACT_ERRNO(EAGAIN), SCMP_SYS(clone),
        {SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD)});
-  // abort() is a signal to itself.
-  const auto itself = static_cast<scmp_datum_t>(::getpid());
-  rule(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), {SCMP_A0(SCMP_CMP_EQ, itself)});
+  rule(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), {});
   rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), {SCMP_A1(SCMP_CMP_EQ, F_GETFL)});
   rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), {SCMP_A1(SCMP_CMP_EQ, F_GETFD)});
   rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), {SCMP_A1(SCMP_CMP_EQ, F_SETFD)});
@@ -105,7 +131,16 @@ bool filter_system_calls() {
 
   // Lookups by halves rather than one by one: a call costs less.
   ::seccomp_attr_set(all, SCMP_FLTATR_CTL_OPTIMIZE, 2);
-  return good && ::seccomp_load(all) == 0;
+  if (good) program_ = program_of(filter);
+}
+
+bool SystemCallFilter::hold() const {
+  if (program_.empty()) return false;
+  // The list itself comes last: under it no further one can be loaded.
+  if (!hold_signals_to_itself()) return false;
+  const sock_fprog program{static_cast<unsigned short>(program_.size()),
+                           const_cast<sock_filter*>(program_.data())};
+  return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
 }  // namespace shadowlab::lab

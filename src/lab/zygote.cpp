@@ -20,6 +20,7 @@
 #include "core/error.h"
 #include "core/version.h"
 #include "lab/channel.h"
+#include "lab/filled_heap.h"
 #include "lab/lock.h"
 #include "lab/wire.h"
 
@@ -48,7 +49,7 @@ void take_descriptors(const Message& order) {
 }
 
 [[noreturn]] void live(gl::Graphics& graphics, const Message& message, const Layers& expected,
-                       const Life& life) {
+                       const SystemCallFilter& filter, const Life& life) {
   Order order{};
   std::memcpy(&order, message.bytes.data(), sizeof order);
   const std::string folder(message.bytes.begin() + sizeof order, message.bytes.end());
@@ -63,7 +64,8 @@ void take_descriptors(const Message& order) {
     if (::chdir(folder.c_str()) != 0) throw MachineError("the recipe's folder is gone");
     Layers layers = lock_in({.seconds = order.processor_seconds,
                              .memory = static_cast<std::size_t>(order.memory),
-                             .readable = {folder, home() / "scripts", home() / "shaders"}});
+                             .readable = {folder, home() / "scripts", home() / "shaders"}},
+                            filter);
     layers.namespaces = expected.namespaces;
     if (layers != expected) throw MachineError("the locks do not hold");
     life(graphics, control_descriptor);
@@ -78,14 +80,14 @@ void take_descriptors(const Message& order) {
 }
 
 // What a child of this process can be held by: found out by a child.
-Layers try_layers() {
+Layers try_layers(const SystemCallFilter& filter) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return {};
   const Descriptor from(ends[0]);
   Descriptor to(ends[1]);
   const pid_t child = ::fork();
   if (child == 0) {
-    const Layers layers = lock_in({.readable = {home() / "scripts"}});
+    const Layers layers = lock_in({.readable = {home() / "scripts"}}, filter);
     (void)!::write(to.number(), &layers, sizeof layers);
     ::_exit(0);
   }
@@ -112,9 +114,10 @@ class Zygote {
     ::sigprocmask(SIG_BLOCK, &children, nullptr);
     graphics_.emplace(context::create(options.backend), options.width, options.height);
     warm_up(*graphics_, options.warm, options.warmth);
-    layers_ = try_layers();
+    layers_ = try_layers(filter_);
     layers_.namespaces = options.namespaces;
     ended_ = Descriptor(::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
+    filled_.emplace();
   }
 
   ~Zygote() {
@@ -162,7 +165,7 @@ class Zygote {
     Order order{};
     std::memcpy(&order, message.bytes.data(), sizeof order);
     const pid_t process = ::fork();
-    if (process == 0) live(*graphics_, message, layers_, life_);
+    if (process == 0) live(*graphics_, message, layers_, filter_, life_);
     if (process < 0) return;  // the word's end closes with the message, which says it
     const auto patience = std::chrono::duration<double>(order.seconds);
     children_.push_back({process,
@@ -199,9 +202,11 @@ class Zygote {
 
   std::optional<gl::Graphics> graphics_;
   const Life& life_;
+  const SystemCallFilter filter_;
   Layers layers_;
   Descriptor ended_;
   std::vector<Child> children_;
+  std::optional<FilledHeap> filled_;  // once all is warm
 };
 
 void send_all(int channel, const wire::Bytes& bytes) {
