@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <future>
+#include <memory>
 #include <thread>
 
 #include "cli/commands.h"
@@ -53,9 +55,13 @@ class Command {
   }
 
   Answer run() {
+    // The worker warms up while the reference is drawn.
+    auto starting = std::async(std::launch::async,
+                               [this] { return std::make_unique<lab::Worker>(isolation()); });
     gl::Graphics graphics(context::create(), lab_.width, lab_.height);
     const lab::Reference reference = lab::draw_reference(graphics, lab_);
-    lab::Worker worker(isolation());
+    const std::unique_ptr<lab::Worker> started = starting.get();
+    lab::Worker& worker = *started;
     if (const auto missing = lab::names_of(worker.layers(), false); !missing.empty())
       fmt::print(stderr, "Submissions are isolated without {}: this machine has none.\n", missing);
     const lab::DrawSubmission draw = [&](const lab::Job& job, const auto& each) {

@@ -21,6 +21,7 @@ PixelMask differing(const image::Image& a, const image::Image& b) {
   if (a.width != b.width || a.height != b.height || b.rgba.size() != a.rgba.size())
     return all(pixels);
   PixelMask mask(pixels);
+  if (a.rgba == b.rgba) return mask;  // most submissions are right, and right to the last bit
   for (std::size_t i = 0; i < pixels; ++i) {
     int worst = 0;
     for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)

@@ -13,8 +13,13 @@
 namespace shadowlab::lab {
 namespace {
 
-Buffers read(const gl::MainFrame& frame, std::string pass) {
-  return {std::move(pass), frame.read_color(), frame.read_depth(), frame.read_stencil()};
+Buffers read(const gl::MainFrame& frame, const Kept& kept, std::string pass) {
+  Buffers buffers;
+  buffers.pass = std::move(pass);
+  if (kept.color) buffers.color = frame.read_color();
+  if (kept.depth) buffers.depth = frame.read_depth();
+  if (kept.stencil) buffers.stencil = frame.read_stencil();
+  return buffers;
 }
 
 // The calls of the frame that `recorder` holds, as C writes them.
@@ -73,11 +78,11 @@ void draw_into(Drawing& drawing, gl::Graphics& graphics, const Job& job, const S
   if (shot.camera) recipe.set_camera(*shot.camera);
   gl::Recorder recorder;
   std::optional<Traced> traced;
-  if (job.passes || !shot.changes.empty()) traced.emplace(graphics, recorder, shot.changes);
-  if (job.passes) {
+  if (job.calls || !shot.changes.empty()) traced.emplace(graphics, recorder, shot.changes);
+  if (job.passes.any()) {
     recipe.on_pass_end([&](std::size_t pass) {
       if (drawing.passes.size() < most_passes)
-        drawing.passes.push_back(read(graphics.frame, recipe.passes()[pass].name));
+        drawing.passes.push_back(read(graphics.frame, job.passes, recipe.passes()[pass].name));
     });
   }
   try {
@@ -85,8 +90,8 @@ void draw_into(Drawing& drawing, gl::Graphics& graphics, const Job& job, const S
   } catch (const InputError& problem) {
     drawing.error = problem.what();
   }
-  drawing.calls = calls_of(recorder);
-  drawing.frame = read(graphics.frame, "");
+  if (job.calls) drawing.calls = calls_of(recorder);
+  drawing.frame = read(graphics.frame, job.frame, "");
 }
 
 Drawing drawn(gl::Graphics& graphics, const Job& job, const Shot& shot) {

@@ -70,7 +70,8 @@ class Grading {
   void draw_all(const Staged& staged, const DrawSubmission& draw) {
     std::vector<Shot> shots;
     for (const Case& a_case : lab_.cases) shots.push_back(a_case.shot);
-    const Job job = job_of(staged, std::move(shots));
+    Job job = job_of(staged, std::move(shots));
+    job.calls = true;
     const std::string folder = staged.folder().string() + "/";
     result_.trace = empty_digest;
     const Drawn drawn = draw(job, [&](std::size_t i, Drawing drawing) {
@@ -129,6 +130,7 @@ class Grading {
   void explain(const Staged& staged, const DrawSubmission& draw) {
     if (result_.passed()) return;
     const auto mistake = matching_mistake(lab_, reference_, drawings_);
+    look_closer(staged, draw);
     bool shown = false;  // one case is shown pass by pass: the others would say the same
     bool tried = mistake.has_value();  // and in one other states are tried
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
@@ -152,9 +154,37 @@ class Grading {
     }
   }
 
+  // Draws once more what is explained, with all that an explanation looks at: the cases that are
+  // wrong, and one that fails if it is the first. Marks are given by then; and what is drawn
+  // otherwise now than it was explains nothing.
+  void look_closer(const Staged& staged, const DrawSubmission& draw) {
+    closely_.resize(drawings_.size(), false);
+    Job job = job_of(staged, {});
+    job.frame = job.passes = everything;
+    job.calls = true;
+    std::vector<std::size_t> wrong;
+    for (std::size_t i = 0; i < drawings_.size(); ++i) {
+      const Status status = result_.cases[i].status;
+      if (status != Status::failed && (status != Status::error || !wrong.empty())) continue;
+      wrong.push_back(i);
+      job.shots.push_back(lab_.cases[i].shot);
+    }
+    if (wrong.empty()) return;
+    draw(job, [&](std::size_t shot, Drawing drawing) {
+      if (shot >= wrong.size()) return;
+      Drawing& judged = drawings_[wrong[shot]];
+      if (drawing.error.has_value() != judged.error.has_value() ||
+          drawing.frame.color != judged.frame.color)
+        return;
+      judged = std::move(drawing);
+      closely_[wrong[shot]] = true;
+    });
+  }
+
   Diagnosis explain(std::size_t i, std::optional<std::size_t> mistake) {
     CaseResult& one = result_.cases[i];
-    Diagnosis diagnosis = diagnose(reference_.cases[i], drawings_[i], options_.language);
+    Diagnosis diagnosis;
+    if (closely_[i]) diagnosis = diagnose(reference_.cases[i], drawings_[i], options_.language);
     one.finding = diagnosis.finding;
     if (mistake) {
       const Mistake& known = lab_.mistakes[*mistake];
@@ -200,13 +230,19 @@ class Grading {
       one.says.emplace_back(text(options_.language, mending ? Say::mended : Say::not_mended));
   }
 
+  // Keeps what is compared and no more: alike for all cases of a lab, so that it tells a submission
+  // nothing of those that are hidden.
   Job job_of(const Staged& staged, std::vector<Shot> shots) const {
     Job job;
     job.recipe = staged.recipe();
     job.beside = staged.beside();
     job.width = lab_.width;
     job.height = lab_.height;
-    job.passes = true;
+    job.frame = {.color = true};
+    for (const Case& a_case : lab_.cases) {
+      job.passes.stencil |= a_case.compared.stencil.has_value();
+      job.passes.depth |= a_case.compared.depth.has_value();
+    }
     job.shots = std::move(shots);
     return job;
   }
@@ -223,6 +259,7 @@ class Grading {
   const GradeOptions& options_;
   Result result_;
   std::vector<Drawing> drawings_;
+  std::vector<bool> closely_;  // of which of them everything is there
 };
 
 }  // namespace

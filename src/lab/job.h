@@ -39,17 +39,28 @@ struct Shot {
 /// many, and what a submission makes us keep has to end.
 inline constexpr std::size_t most_passes = 64, most_calls = 20'000;
 
+/// Which of the main frame's buffers are kept of a moment. Each costs its reading and its way to
+/// the grader, which is most of what a small picture costs.
+struct Kept {
+  bool color = false, depth = false, stencil = false;
+  bool any() const { return color || depth || stencil; }
+  bool operator==(const Kept&) const = default;
+};
+inline constexpr Kept everything{true, true, true};
+
 struct Job {
   std::filesystem::path recipe;
   /// Files that belong to it, relative to its folder: shaders, modules, meshes.
   std::vector<std::filesystem::path> beside = {};
   int width = 256, height = 256;  ///< pixels
   std::vector<Shot> shots = {};
-  bool passes = false;  ///< also what is in the buffers after each pass, and every GL call
+  Kept frame = everything;  ///< at its end
+  Kept passes = {};         ///< after each pass
+  bool calls = false;       ///< every GL call
   lua::Limits limits = {};
 };
 
-/// What the main frame's buffers held at one moment; rows from the top.
+/// What the main frame's buffers held at one moment, as far as they were kept; rows from the top.
 struct Buffers {
   std::string pass;  ///< the pass that had just ended; "" for the end of the frame
   image::Image color;
@@ -69,8 +80,8 @@ struct Call {
 struct Drawing {
   std::optional<std::string> error;  ///< one sentence; the rest is then what came before it
   Buffers frame;                     ///< at its end
-  std::vector<Buffers> passes;       ///< in their order, where the job asked for them
-  std::vector<Call> calls;           ///< likewise
+  std::vector<Buffers> passes;       ///< in their order, where the job keeps any of their buffers
+  std::vector<Call> calls;           ///< where it asks for them
   std::string printed;
   double milliseconds = 0;
 };

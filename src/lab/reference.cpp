@@ -103,7 +103,8 @@ Job job_of(const Lab& lab, const std::filesystem::path& recipe) {
   job.recipe = recipe;
   job.width = lab.width;
   job.height = lab.height;
-  job.passes = true;
+  job.passes = everything;
+  job.calls = true;
   for (const Case& a_case : lab.cases) job.shots.push_back(a_case.shot);
   return job;
 }

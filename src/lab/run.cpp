@@ -9,6 +9,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <semaphore>
 #include <thread>
 
 #include "core/error.h"
@@ -82,13 +83,19 @@ class Run {
       : lab_(lab),
         reference_(reference),
         ours_(std::move(ours)),
-        draw_(draw),
         options_(options),
+        jobs_(options.jobs),
+        draw_([this, &draw](const Job& job, const auto& each) {
+          const Turn turn(jobs_);
+          return draw(job, each);
+        }),
         results_(ours_.size()) {}
 
   std::vector<Result> all() {
+    // One more than are drawn at once: while they are drawn it writes results, and reads what is
+    // next.
     std::vector<std::thread> others;
-    for (int i = 1; i < options_.jobs; ++i) others.emplace_back([this] { work(); });
+    for (int i = 0; i < options_.jobs; ++i) others.emplace_back([this] { work(); });
     work();
     for (std::thread& other : others) other.join();
     if (failure_) std::rethrow_exception(failure_);
@@ -96,6 +103,18 @@ class Run {
   }
 
  private:
+  // One of the jobs, while it lives.
+  class Turn {
+   public:
+    explicit Turn(std::counting_semaphore<>& jobs) : jobs_(jobs) { jobs_.acquire(); }
+    ~Turn() { jobs_.release(); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+   private:
+    std::counting_semaphore<>& jobs_;
+  };
+
   void work() {
     try {
       for (std::size_t i; (i = next_++) < ours_.size() && !stopped_;) {
@@ -129,8 +148,9 @@ class Run {
   const Lab& lab_;
   const Reference& reference_;
   const std::vector<Submission> ours_;
-  const DrawSubmission& draw_;
   const RunOptions& options_;
+  std::counting_semaphore<> jobs_;
+  const DrawSubmission draw_;  // no more at once than there are jobs
   std::vector<Result> results_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> stopped_{false};

@@ -44,7 +44,7 @@ struct RunIdentity {
 
 struct RunOptions {
   std::filesystem::path out;
-  int jobs = 1;
+  int jobs = 1;  ///< how many are drawn at once
   GradeOptions grade;
   Shard shard;
   /// Told of each result, also of those that were there already; never two at once.

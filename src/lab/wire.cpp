@@ -12,12 +12,14 @@ namespace shadowlab::lab::wire {
 namespace {
 
 // "SLW" and the version: another version of the program is no partner.
-constexpr std::uint32_t magic = 0x31574C53;
+constexpr std::uint32_t magic = 0x32574C53;
 static_assert(std::endian::native == std::endian::little, "both ends run on one machine");
 
 class Writer {
  public:
-  explicit Writer(Kind kind) {
+  /// `room`: bytes that it is likely to have.
+  explicit Writer(Kind kind, std::size_t room = 0) {
+    bytes_.reserve(room);
     put(magic);
     put(static_cast<std::uint32_t>(kind));
     put(std::uint64_t{0});
@@ -167,6 +169,22 @@ Shot get_shot(Reader& from) {
   return shot;
 }
 
+void put_kept(Writer& to, const Kept& kept) {
+  for (const bool one : {kept.color, kept.depth, kept.stencil})
+    to.put(static_cast<std::uint8_t>(one));
+}
+
+Kept get_kept(Reader& from) {
+  Kept kept;
+  for (bool* one : {&kept.color, &kept.depth, &kept.stencil}) *one = from.flag();
+  return kept;
+}
+
+std::size_t bytes_of(const Buffers& buffers) {
+  return buffers.color.rgba.size() + buffers.depth.values.size() * sizeof(float) +
+         buffers.stencil.size();
+}
+
 void put_buffers(Writer& to, const Buffers& buffers) {
   to.put(buffers.pass);
   to.put(buffers.color.rgba);
@@ -183,18 +201,19 @@ std::string plain(std::string text) {
   return text;
 }
 
-Buffers get_buffers(Reader& from, const Job& job) {
+Buffers get_buffers(Reader& from, const Job& job, const Kept& kept) {
   Buffers buffers;
   buffers.pass = plain(from.text());
   buffers.color.rgba = from.numbers<std::uint8_t>();
   buffers.depth.values = from.numbers<float>();
   buffers.stencil = from.numbers<std::uint8_t>();
   const auto pixels = static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height);
-  const auto fits = [&](std::size_t size, std::size_t channels) {
-    return size == 0 || size == pixels * channels;
+  const auto fits = [&](bool asked, std::size_t size, std::size_t channels) {
+    return size == 0 || (asked && size == pixels * channels);
   };
-  if (!fits(buffers.color.rgba.size(), 4) || !fits(buffers.depth.values.size(), 1) ||
-      !fits(buffers.stencil.size(), 1))
+  if (!fits(kept.color, buffers.color.rgba.size(), 4) ||
+      !fits(kept.depth, buffers.depth.values.size(), 1) ||
+      !fits(kept.stencil, buffers.stencil.size(), 1))
     throw Garbled("a picture has another size than was asked for");
   if (!std::ranges::all_of(buffers.depth.values, [](float d) { return d >= 0 && d <= 1; }))
     throw Garbled("a depth is not between 0 and 1");
@@ -240,7 +259,9 @@ Bytes message_of(const Job& job) {
   to.put(static_cast<std::int32_t>(job.height));
   to.put_size(job.shots.size());
   for (const Shot& shot : job.shots) put_shot(to, shot);
-  to.put(static_cast<std::uint8_t>(job.passes));
+  put_kept(to, job.frame);
+  put_kept(to, job.passes);
+  to.put(static_cast<std::uint8_t>(job.calls));
   to.put(static_cast<std::uint64_t>(job.limits.memory));
   to.put(job.limits.instructions);
   to.put(job.limits.seconds);
@@ -259,7 +280,9 @@ Job job_from(std::span<const std::uint8_t> bytes) {
     throw Garbled("a picture's size is out of range");
   const std::size_t shots = from.count_of(10);
   for (std::size_t i = 0; i < shots; ++i) job.shots.push_back(get_shot(from));
-  job.passes = from.flag();
+  job.frame = get_kept(from);
+  job.passes = get_kept(from);
+  job.calls = from.flag();
   job.limits.memory = from.get<std::uint64_t>();
   job.limits.instructions = from.get<std::uint64_t>();
   job.limits.seconds = from.get<double>();
@@ -270,7 +293,9 @@ Job job_from(std::span<const std::uint8_t> bytes) {
 }
 
 Bytes message_of(std::size_t shot, const Drawing& drawing) {
-  Writer to(Kind::drawing);
+  std::size_t pixels = bytes_of(drawing.frame);
+  for (const Buffers& pass : drawing.passes) pixels += bytes_of(pass);
+  Writer to(Kind::drawing, pixels + (std::size_t{1} << 16));
   to.put_size(shot);
   to.put(drawing.error);
   put_buffers(to, drawing.frame);
@@ -296,12 +321,14 @@ ShotDrawing drawing_from(std::span<const std::uint8_t> bytes, const Job& job) {
   ShotDrawing result{static_cast<std::size_t>(shot), {}};
   Drawing& drawing = result.drawing;
   if (from.flag()) drawing.error = plain(from.text());
-  drawing.frame = get_buffers(from, job);
+  drawing.frame = get_buffers(from, job, job.frame);
   const std::size_t passes = from.count_of(32);
-  if (passes > (job.passes ? most_passes : 0)) throw Garbled("it has passes that nobody asked for");
-  for (std::size_t i = 0; i < passes; ++i) drawing.passes.push_back(get_buffers(from, job));
+  if (passes > (job.passes.any() ? most_passes : 0))
+    throw Garbled("it has passes that nobody asked for");
+  for (std::size_t i = 0; i < passes; ++i)
+    drawing.passes.push_back(get_buffers(from, job, job.passes));
   const std::size_t calls = from.count_of(20);
-  if (calls > most_calls) throw Garbled("it has more calls than are kept");
+  if (calls > (job.calls ? most_calls : 0)) throw Garbled("it has more calls than were asked for");
   for (std::size_t i = 0; i < calls; ++i) drawing.calls.push_back(get_call(from));
   drawing.printed = plain(from.text());
   drawing.milliseconds = from.get<double>();

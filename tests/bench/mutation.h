@@ -76,7 +76,8 @@ class Exam {
               const std::vector<std::vector<Change>>& changes = {}) {
     graphics_.context().make_current();
     const DrawSubmission in_process = [&](const Job& job, const auto& each) {
-      if (job.shots.empty() || !job.shots.front().changes.empty()) return Drawn{};  // for a hint
+      if (job.passes == everything || !job.shots.front().changes.empty())
+        return Drawn{};  // for a hint
       Job changed = job;
       for (std::size_t i = 0; i < changes.size(); ++i) changed.shots[i].changes = changes[i];
       draw(graphics_, changed, [&](std::size_t i, Drawing drawing) {

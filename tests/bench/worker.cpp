@@ -5,8 +5,9 @@
 //
 // in this process; by a worker that is warm (it has drawn the recipe of scripts/ on the same
 // subject), without namespaces, and with four at once; by one that is cold (each submission
-// compiles its own shaders); by a worker started for it alone. In turns, medians; and how much
-// memory each has. What the usual script takes in place of all this, tests/bench/grading.sh prints.
+// compiles its own shaders); by a worker started for it alone. In turns, medians; how much
+// processor time the child itself takes, and how much memory each has. What the usual script takes
+// in place of all this, tests/bench/grading.sh prints.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,6 +44,7 @@ class Submission {
 
   void here() {
     peak_ = 0;
+    processor_ms_ = 0;
     lab::draw(graphics_, job_,
               [this](std::size_t i, const lab::Drawing& drawing) { mark(i, drawing); });
   }
@@ -51,6 +53,7 @@ class Submission {
         worker.draw(job_, [this](std::size_t i, const lab::Drawing& drawing) { mark(i, drawing); });
     if (outcome.verdict != lab::Verdict::finished) fail(outcome.sentence);
     peak_ = outcome.peak_memory;
+    processor_ms_ = outcome.processor_seconds * 1000;
   }
   void several_by(lab::Worker& worker) {
     std::vector<std::jthread> threads;
@@ -63,6 +66,7 @@ class Submission {
     return isolation;
   }
   std::size_t peak() const { return peak_; }
+  double processor_ms() const { return processor_ms_; }
 
  private:
   [[noreturn]] static void fail(const std::string& why) {
@@ -74,17 +78,21 @@ class Submission {
       fail("a picture differs from its reference");
   }
 
-  lab::Job job_{.recipe = home() / "scripts" / "projected_stencil.lua"};
+  // As a grader asks for it.
+  lab::Job job_{.recipe = home() / "scripts" / "projected_stencil.lua",
+                .frame = {.color = true},
+                .calls = true};
   gl::Graphics graphics_{context::create(), 256, 256};
   std::vector<image::Image> references_;
   std::atomic<std::size_t> peak_ = 0;
+  std::atomic<double> processor_ms_ = 0;
 };
 
 struct Way {
   const char* name;
   std::function<void()> work;
   int submissions = 1;
-  std::vector<double> times = {};
+  std::vector<double> times = {}, processor_times = {};
   std::size_t peak = 0;
 };
 
@@ -112,16 +120,19 @@ int main(int argc, char** argv) {
           std::chrono::steady_clock::now() - begin;
       if (round < 0) continue;  // what is warm gets so
       way.times.push_back(spent.count() / way.submissions);
+      way.processor_times.push_back(one.processor_ms());
       way.peak = one.peak();
     }
   }
   fmt::print("isolated by {}\n\n", lab::names_of(warm.layers()));
-  fmt::print("{:<30} {:>14} {:>9} {:>9} {:>9}\n", "", "ms a submission", "a second", "more ms",
-             "MiB");
+  fmt::print("{:<30} {:>15} {:>9} {:>9} {:>10} {:>9}\n", "", "ms a submission", "a second",
+             "more ms", "child's ms", "MiB");
   const double base = measure::median(ways[0].times);
   for (Way& way : ways) {
     const double time = measure::median(way.times);
-    fmt::print("{:<30} {:>14.1f} {:>9.1f} {:>9.1f} {:>9}\n", way.name, time, 1e3 / time,
-               time - base, way.peak == 0 ? "" : fmt::format("{}", way.peak >> 20));
+    const double child = measure::median(way.processor_times);
+    fmt::print("{:<30} {:>15.1f} {:>9.1f} {:>9.1f} {:>10} {:>9}\n", way.name, time, 1e3 / time,
+               time - base, child > 0 ? fmt::format("{:.1f}", child) : "",
+               way.peak == 0 ? "" : fmt::format("{}", way.peak >> 20));
   }
 }

@@ -9,7 +9,7 @@ namespace {
 using namespace shadowlab::lab;
 
 Job a_job() {
-  Job job{.recipe = "a.lua", .width = 2, .height = 2, .passes = true};
+  Job job{.recipe = "a.lua", .width = 2, .height = 2, .passes = everything, .calls = true};
   job.shots.resize(2);
   return job;
 }

@@ -60,7 +60,8 @@ void expect_same(const std::vector<Drawing>& a, const std::vector<Drawing>& b) {
 
 TEST_F(WorkerTest, draws_the_pictures_passes_and_calls_that_are_drawn_here) {
   Job job = job_of(home() / "scripts" / "projected_stencil.lua");
-  job.passes = true;
+  job.passes = everything;
+  job.calls = true;
   Worker worker(isolation());
   const Outcome outcome = worker.draw(job);
   EXPECT_EQ(outcome.verdict, Verdict::finished) << outcome.sentence;

@@ -40,6 +40,23 @@ TEST_F(LabTest, each_pass_leaves_its_buffers_and_calls) {
   EXPECT_EQ(drawing.calls[2].pass, 1);
 }
 
+TEST_F(LabTest, nothing_is_kept_that_is_not_asked_for) {
+  const TextFile file(recipe_text("pass('one', function() gl.Clear(gl.COLOR_BUFFER_BIT) end)"));
+  Job job = one_shot(file.path());
+  job.frame = {.color = true};
+  const Drawing picture = draw_all(job).at(0);
+  EXPECT_EQ(picture.frame.color.width, frame_size);
+  EXPECT_TRUE(picture.frame.depth.values.empty());
+  EXPECT_TRUE(picture.frame.stencil.empty());
+  EXPECT_TRUE(picture.passes.empty());
+  EXPECT_TRUE(picture.calls.empty());
+  job.passes = {.stencil = true};
+  const Drawing with_stencil = draw_all(job).at(0);
+  ASSERT_EQ(with_stencil.passes.size(), 1u);
+  EXPECT_FALSE(with_stencil.passes[0].stencil.empty());
+  EXPECT_TRUE(with_stencil.passes[0].color.rgba.empty());
+}
+
 TEST_F(LabTest, a_recipe_that_fails_keeps_what_it_drew_before) {
   const TextFile file(recipe_text(
       "pass('one', function() gl.ClearColor(1, 0, 0, 1) gl.Clear(gl.COLOR_BUFFER_BIT) end)\n"
@@ -79,7 +96,7 @@ TEST_F(LabTest, a_change_holds_for_the_draws_from_its_place_on) {
                   "vec4(1); }]] } local quad = mesh.quad() gl.ColorMask(false, false, true, true) "
                   "quad:draw(s) gl.ColorMask(false, true, false, true) quad:draw(s)"));
   Job job = one_shot(file.path());
-  job.passes = true;
+  job.calls = true;
   const Drawing before = draw_all(job).at(0);
   ASSERT_FALSE(before.error) << *before.error;
   EXPECT_EQ(before.frame.color.at(16, 16), (std::array<std::uint8_t, 4>{0, 255, 255, 255}));

@@ -65,6 +65,7 @@ class LabTest : public testing::Test {
     graphics_ = std::make_unique<gl::Graphics>(context::create(), frame_size, frame_size);
   }
   static void TearDownTestSuite() { graphics_.reset(); }
+  static gl::Graphics& graphics() { return *graphics_; }
 
   static std::vector<Drawing> draw_all(const Job& job) {
     std::vector<Drawing> drawings;
@@ -84,7 +85,8 @@ class LabTest : public testing::Test {
   /// Its one shot, with its passes.
   static Drawing draw_one(const std::filesystem::path& recipe) {
     Job job = one_shot(recipe);
-    job.passes = true;
+    job.passes = everything;
+    job.calls = true;
     return draw_all(job).at(0);
   }
 

@@ -18,7 +18,7 @@ std::span<const std::uint8_t> body_of(const Bytes& message) {
 }
 
 Job a_job() {
-  Job job{.recipe = "a recipe.lua", .width = 3, .height = 2, .passes = true};
+  Job job{.recipe = "a recipe.lua", .width = 3, .height = 2, .passes = everything, .calls = true};
   job.shots.push_back({.scene = "table", .settings = {{"light", "1,2,3"}, {"name", ""}}});
   job.shots.push_back({.camera = scene::Camera{.eye = {1, 2, 3}, .fovy = 30}});
   job.limits.memory = 12345;
@@ -51,7 +51,9 @@ TEST(Wire, a_job_arrives_as_it_was_sent) {
   EXPECT_EQ(job.recipe, "a recipe.lua");
   EXPECT_EQ(job.width, 3);
   EXPECT_EQ(job.height, 2);
-  EXPECT_TRUE(job.passes);
+  EXPECT_EQ(job.frame, everything);
+  EXPECT_EQ(job.passes, everything);
+  EXPECT_TRUE(job.calls);
   ASSERT_EQ(job.shots.size(), 2u);
   EXPECT_EQ(job.shots[0].scene, "table");
   EXPECT_EQ(job.shots[0].settings, a_job().shots[0].settings);
@@ -130,9 +132,14 @@ TEST(Wire, a_drawing_that_was_not_asked_for_is_garbled) {
     EXPECT_THROW(drawing_from(body_of(message_of(0, drawing)), a_job()), Garbled);
   }
   EXPECT_THROW(drawing_from(body_of(message_of(2, a_drawing())), a_job()), Garbled);
-  Job without_passes = a_job();
-  without_passes.passes = false;
-  EXPECT_THROW(drawing_from(body_of(message_of(0, a_drawing())), without_passes), Garbled);
+  for (const auto& ask_less : std::initializer_list<std::function<void(Job&)>>{
+           [](Job& job) { job.passes = {}; }, [](Job& job) { job.passes.stencil = false; },
+           [](Job& job) { job.frame.color = false; }, [](Job& job) { job.frame.depth = false; },
+           [](Job& job) { job.calls = false; }}) {
+    Job job = a_job();
+    ask_less(job);
+    EXPECT_THROW(drawing_from(body_of(message_of(0, a_drawing())), job), Garbled);
+  }
 }
 
 TEST(Wire, texts_bring_no_orders_for_a_terminal) {
