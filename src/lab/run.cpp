@@ -95,6 +95,7 @@ class Run {
     // One more than are drawn at once: while they are drawn it writes results, and reads what is
     // next.
     std::vector<std::thread> others;
+    others.reserve(static_cast<std::size_t>(options_.jobs));
     for (int i = 0; i < options_.jobs; ++i) others.emplace_back([this] { work(); });
     work();
     for (std::thread& other : others) other.join();

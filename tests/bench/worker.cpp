@@ -57,6 +57,7 @@ class Submission {
   }
   void several_by(lab::Worker& worker) {
     std::vector<std::jthread> threads;
+    threads.reserve(at_once);
     for (int i = 0; i < at_once; ++i) threads.emplace_back([&] { by(worker); });
   }
 
