@@ -75,6 +75,24 @@ std::vector<Rectangle> shares(const Rectangle& area, std::size_t count) {
   return shares;
 }
 
+// What it is, and what is wrong with it, in its corner.
+void draw_label(const Bench& bench, ImVec2 corner) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const std::string& title = bench.workshop.recipe() ? bench.workshop.recipe()->description().title
+                                                     : bench.workshop.file().string();
+  const ImVec2 margin = ImGui::GetStyle().FramePadding;
+  const auto line = [&](ImU32 color, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 end{corner.x + size.x + 2 * margin.x, corner.y + size.y + 2 * margin.y};
+    list.AddRectFilled(corner, end, IM_COL32(0, 0, 0, 160));  // legible over any picture
+    list.AddText({corner.x + margin.x, corner.y + margin.y}, color, text.c_str());
+    corner.y = end.y;
+  };
+  line(IM_COL32(255, 255, 255, 255), title);
+  if (bench.workshop.failure())
+    line(IM_COL32(255, 130, 120, 255), bench.workshop.failure()->sentence);
+}
+
 // A bench that is not in focus. Whether it was clicked.
 bool draw_other(const Studio& studio, std::size_t index, const Rectangle& area) {
   const Bench& bench = *studio.benches()[index];
@@ -86,30 +104,29 @@ bool draw_other(const Studio& studio, std::size_t index, const Rectangle& area) 
   const ImVec2 high{static_cast<float>(at.x + at.width), static_cast<float>(at.y + at.height)};
   list.PushClipRect(low, high, true);
   if (bench.picture.texture()) list.AddImage(texture_id(bench.picture), low, high, {0, 1}, {1, 0});
-  const std::string& title = bench.workshop.recipe() ? bench.workshop.recipe()->description().title
-                                                     : bench.workshop.file().string();
-  const ImVec2 margin = ImGui::GetStyle().FramePadding;
-  ImVec2 corner = low;
-  const auto line = [&](ImU32 color, const std::string& text) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 end{corner.x + size.x + 2 * margin.x, corner.y + size.y + 2 * margin.y};
-    list.AddRectFilled(corner, end, IM_COL32(0, 0, 0, 160));  // legible over any picture
-    list.AddText({corner.x + margin.x, corner.y + margin.y}, color, text.c_str());
-    corner.y = end.y;
-  };
-  line(IM_COL32(255, 255, 255, 255), title);
-  if (bench.workshop.failure())
-    line(IM_COL32(255, 130, 120, 255), bench.workshop.failure()->sentence);
   list.PopClipRect();
   const ImGuiIO& io = ImGui::GetIO();
   return !io.WantCaptureMouse && io.MouseClicked[0] && area.holds(io.MousePos.x, io.MousePos.y);
+}
+
+// Of each of several recipes its name, clipped to its place.
+void draw_labels(const Studio& studio, const std::vector<Rectangle>& areas) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (std::size_t i = 0; i < areas.size() && areas.size() > 1; ++i) {
+    const Rectangle& at = areas[i];
+    const ImVec2 low{static_cast<float>(at.x) + 2, static_cast<float>(at.y) + 2};
+    list.PushClipRect(
+        low, {static_cast<float>(at.x + at.width) - 2, static_cast<float>(at.y + at.height) - 2});
+    draw_label(*studio.benches()[i], low);
+    list.PopClipRect();
+  }
 }
 
 void draw_border(const Rectangle& area) {
   ImGui::GetBackgroundDrawList()->AddRect(
       {static_cast<float>(area.x + 1), static_cast<float>(area.y + 1)},
       {static_cast<float>(area.x + area.width - 1), static_cast<float>(area.y + area.height - 1)},
-      ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
+      ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, stroke(2));
 }
 
 }  // namespace
@@ -127,6 +144,8 @@ bool begin_place(const char* name, const Rectangle& area, Scrolling scrolls) {
                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
                           scrolling);
 }
+
+float stroke(float pixels) { return std::round(pixels * ImGui::GetFontSize() / 16 + 0.4f); }
 
 bool choice(const char* name, bool chosen) {
   if (chosen)
@@ -146,6 +165,8 @@ void draw_window(Studio& studio, View& view, const Interface& interface) {
     if (i != studio.focus() && draw_other(studio, i, areas[i])) clicked = i;
   }
   draw_picture(studio, view, interface, areas[studio.focus()]);
+  draw_labels(studio, areas);
+  draw_light(studio, view);
   if (areas.size() > 1) draw_border(areas[studio.focus()]);
   if (places.left.width > 0) {
     for (const double x : {places.middle.x, places.middle.x + places.middle.width}) {

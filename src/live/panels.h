@@ -13,6 +13,8 @@ void draw_window(Studio& studio, View& view, const Interface& interface);
 
 /// Its parts.
 void draw_picture(Studio& studio, View& view, const Interface& interface, const Rectangle& area);
+/// The mark of the light over everything in the picture's place; after draw_picture.
+void draw_light(const Studio& studio, const View& view);
 void draw_parameters(Studio& studio, View& view);
 void draw_passes(Studio& studio, View& view, const Interface& interface);
 void draw_failure(const Failure& failure, const Interface& interface, const Rectangle& area);
@@ -21,6 +23,9 @@ void draw_help(Studio& studio, View& view, const Interface& interface);
 /// A window of ImGui that is a place of ours: nothing about it moves. True, as ImGui::Begin.
 enum class Scrolling { yes, no };
 bool begin_place(const char* name, const Rectangle& area, Scrolling scrolls = Scrolling::yes);
+
+/// The width of a line that is so many pixels wide on a screen of single density on a desk.
+float stroke(float pixels);
 
 /// A flat button that stays down while it is chosen: a circle to tick has thirty times its
 /// triangles.

@@ -11,6 +11,13 @@ namespace {
 
 constexpr float list_height = 0.38f;  // of the panel
 
+void hint(const char* text) {
+  // At what is seen of the panel, which may scroll sideways.
+  ImGui::PushTextWrapPos(ImGui::GetWindowWidth());
+  ImGui::TextDisabled("%s", text);
+  ImGui::PopTextWrapPos();
+}
+
 void draw_list(Studio& studio, const View& view) {
   const auto& passes = studio.inspector().passes();
   const std::vector<double>& times = view.readings.passes_ms();
@@ -29,7 +36,7 @@ void draw_list(Studio& studio, const View& view) {
     const auto share = static_cast<float>(longest > 0 ? times[i] / longest : 0);
     ImGui::GetWindowDrawList()->AddRectFilled(
         {at.x, at.y + ImGui::GetTextLineHeight() + 1},
-        {at.x + share * width, at.y + ImGui::GetTextLineHeight() + 3},
+        {at.x + share * width, at.y + ImGui::GetTextLineHeight() + 1 + stroke(2)},
         ImGui::GetColorU32(ImGuiCol_CheckMark));
     ImGui::PushClipRect(at, {at.x + width - number, at.y + 3 * ImGui::GetTextLineHeight()}, true);
     if (ImGui::Selectable(pass.name.name.c_str(), chosen)) studio.choose_pass(pass.name);
@@ -74,7 +81,7 @@ std::optional<std::size_t> place_of(const Studio& studio) {
 void draw_state(Studio& studio) {
   const auto place = place_of(studio);
   if (!place || !studio.inspector().passes()[*place].state) {
-    ImGui::TextDisabled("Down chooses a pass: its GL state is here.");
+    hint("Down chooses a pass: its GL state is here.");
     return;
   }
   const auto& passes = studio.inspector().passes();
@@ -101,7 +108,7 @@ void draw_state(Studio& studio) {
 void draw_calls(Studio& studio) {
   const auto place = place_of(studio);
   if (!place) {
-    ImGui::TextDisabled("Down chooses a pass: its calls are here.");
+    hint("Down chooses a pass: its calls are here.");
     return;
   }
   const auto& calls = studio.calls();
@@ -120,7 +127,7 @@ std::string change(const gl::MainFrame::Pixel& before, const gl::MainFrame::Pixe
 
 void draw_pixel(Studio& studio) {
   if (!studio.pixel()) {
-    ImGui::TextDisabled("The pixel under the pointer.");
+    hint("The pixel under the pointer.");
     return;
   }
   ImGui::Text("pixel %d, %d from the top left", studio.pixel()->x, studio.pixel()->y);

@@ -26,6 +26,33 @@ std::optional<double> slider_of(const Studio& studio, const View& view) {
   return view.picture.placed().x + view.slider * view.picture.placed().width;
 }
 
+struct Mark {
+  ImVec2 at;
+  bool inside = true;  ///< where it shows what it stands for, and not at the border nearest to that
+};
+
+// Of the light, to be seen and taken hold of: at the border where the light is out of sight.
+std::optional<Mark> light_mark(const Studio& studio, const View& view) {
+  const auto camera = studio.camera();
+  const auto light = studio.light();
+  if (!camera || !light) return {};
+  const Seen place = seen(*camera, studio.aspect(), light_handle(*light, *camera));
+  if (place.distance <= 0) return {};
+  const glm::dvec2 at = view.picture.to_screen({place.x, place.y});
+  const Rectangle& area = view.picture.area();
+  const double margin = 0.6 * static_cast<double>(ImGui::GetFontSize());
+  if (area.width < 2 * margin || area.height < 2 * margin) return {};
+  const glm::dvec2 low(area.x + margin, area.y + margin);
+  const glm::dvec2 high(area.x + area.width - margin, area.y + area.height - margin);
+  const glm::dvec2 there = glm::clamp(at, low, high);
+  return Mark{vec(there), there == at};
+}
+
+bool marks_light(const Studio& studio, const View& view) {
+  return view.panels && studio.truth_mode() != TruthMode::error &&
+         studio.looked_at().buffer != LookedAt::Buffer::attachment;
+}
+
 class Pointer {
  public:
   Pointer(Studio& studio, View& view, double zoomed)
@@ -61,8 +88,17 @@ class Pointer {
       }
       slides() = false;
       const double reach = 1.5 * ImGui::GetFontSize() / view_.picture.placed().height;
-      studio_.grab(place, button == 1 ? Studio::Grip::camera : studio_.grip_at(place, reach));
+      const bool light = on_light(io);
+      const auto grip = light ? Studio::Grip::light : studio_.grip_at(place, reach);
+      studio_.grab(place, button == 1 ? Studio::Grip::camera : grip);
     }
+  }
+
+  bool on_light(const ImGuiIO& io) const {
+    const auto mark = light_mark(studio_, view_);
+    if (!mark || !marks_light(studio_, view_)) return false;
+    return std::hypot(mark->at.x - io.MousePos.x, mark->at.y - io.MousePos.y) <
+           0.75f * ImGui::GetFontSize();
   }
 
   void drag(const ImGuiIO& io, glm::dvec2 place) {
@@ -126,24 +162,9 @@ void draw_overlay(ImDrawList& list, const Studio& studio, const View& view) {
     if (shape.kind == Shape::Kind::face) {
       list.AddConvexPolyFilled(points.data(), count, IM_COL32(255, 220, 60, 12));
     } else {
-      list.AddPolyline(points.data(), count, lines[group], 0, 1.5f);
+      list.AddPolyline(points.data(), count, lines[group], 0, 1.5f * ImGui::GetFontSize() / 16);
     }
   }
-  list.Flags = before;
-}
-
-void draw_light(ImDrawList& list, const Studio& studio, const View& view) {
-  const auto camera = studio.camera();
-  const auto light = studio.light();
-  if (!camera || !light) return;
-  const Seen place = seen(*camera, studio.aspect(), light_handle(*light, *camera));
-  if (place.distance <= 0) return;
-  const ImVec2 at = vec(view.picture.to_screen({place.x, place.y}));
-  const float radius = ImGui::GetFontSize() * 0.4f;
-  const ImDrawListFlags before = list.Flags;
-  list.Flags |= ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
-  list.AddCircleFilled(at, radius, IM_COL32(255, 235, 150, 255));
-  list.AddCircle(at, radius + 1.5f, IM_COL32(30, 30, 30, 255), 0, 2);
   list.Flags = before;
 }
 
@@ -197,10 +218,9 @@ void draw_numbers(ImDrawList& list, const Studio& studio, const View& view, int 
       const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                          static_cast<std::size_t>(x);
       glm::dvec2 at = picture.corner_of(x, y) + glm::dvec2(4, 3);
+      const ImU32 color = studio.is_light_at(index) ? IM_COL32_BLACK : IM_COL32_WHITE;
       for (const std::string& text : numbers_of(studio, index)) {
-        // Dark under light: legible on any pixel.
-        list.AddText(vec(at + glm::dvec2(1)), IM_COL32(0, 0, 0, 255), text.c_str());
-        list.AddText(vec(at), IM_COL32(255, 255, 255, 255), text.c_str());
+        list.AddText(vec(at), color, text.c_str());
         at.y += line;
       }
     }
@@ -215,7 +235,7 @@ void draw_truth(ImDrawList& list, const Studio& studio, const View& view) {
     draw_image(list, studio.truth().truth(), at, view.slider);
     const auto x = static_cast<float>(*slider);
     list.AddLine({x, static_cast<float>(at.y)}, {x, static_cast<float>(at.y + at.height)},
-                 IM_COL32(255, 200, 60, 255), 2);
+                 IM_COL32(255, 200, 60, 255), stroke(2));
   }
 }
 
@@ -239,7 +259,6 @@ void draw_picture(Studio& studio, View& view, const Interface& interface, const 
   if (!attachment) {
     draw_truth(list, studio, view);
     if (view.overlay != Overlay::none) draw_overlay(list, studio, view);
-    if (view.panels && studio.truth_mode() != TruthMode::error) draw_light(list, studio, view);
   }
   ImGui::PushFont(interface.code());
   const bool numbers = shows_numbers(view.picture);
@@ -253,6 +272,20 @@ void draw_picture(Studio& studio, View& view, const Interface& interface, const 
                  IM_COL32(255, 200, 60, 255));
   }
   list.PopClipRect();
+}
+
+void draw_light(const Studio& studio, const View& view) {
+  if (!marks_light(studio, view)) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto mark = light_mark(studio, view);
+  if (!mark) return;
+  const float radius = ImGui::GetFontSize() * 0.4f;
+  const ImDrawListFlags before = list.Flags;
+  list.Flags |= ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
+  list.AddCircleFilled(mark->at, radius, IM_COL32(255, 235, 150, 255));
+  list.AddCircle(mark->at, radius + 1.5f, IM_COL32(30, 30, 30, 255), 0, stroke(2));
+  if (!mark->inside) list.AddCircleFilled(mark->at, radius * 0.55f, IM_COL32(30, 30, 30, 255));
+  list.Flags = before;
 }
 
 }  // namespace shadowlab::live

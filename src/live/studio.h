@@ -126,6 +126,9 @@ class Studio {
   const std::vector<std::string>& calls() const { return calls_; }
   /// What the middle of the window shows of that bench.
   const gl::ShownPicture& shown(const Bench& bench) const;
+  /// Whether the pixel of it, counted from the upper left corner, is nearer to white than to black;
+  /// while numbers are shown.
+  bool is_light_at(std::size_t pixel) const;
 
   // ---- truth
   TruthMode truth_mode() const { return truth_mode_; }
@@ -174,6 +177,7 @@ class Studio {
   std::optional<PassName> chosen_;
   LookedAt looked_at_;
   std::optional<glm::ivec2> pixel_;
+  image::Image buffer_;  ///< as it is shown, where it is not in colour
   gl::ShownPicture buffer_picture_;
   bool buffer_shown_ = false;
   Numbers numbers_ = Numbers::hidden;

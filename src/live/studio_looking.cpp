@@ -125,25 +125,36 @@ void Studio::show_buffers() {
   const Buffers& buffers = inspector_.buffers();
   const bool held = chosen_ && inspector_.kept_pass();
   buffer_shown_ = held || looked_at_.buffer != Buffer::color;
+  buffer_ = {};
   if (!buffer_shown_) return;
   switch (looked_at_.buffer) {
     case Buffer::depth:
-      buffer_picture_.upload(image::depth_picture(buffers.depth));
+      buffer_ = image::depth_picture(buffers.depth);
       break;
     case Buffer::stencil:
-      buffer_picture_.upload(
-          stencil_picture(buffers.stencil, graphics_.width(), graphics_.height()));
+      buffer_ = stencil_picture(buffers.stencil, graphics_.width(), graphics_.height());
       break;
     case Buffer::attachment:
       if (looked_at_.attachment < buffers.attachments.size()) {
-        buffer_picture_.upload(attachment_picture(buffers.attachments[looked_at_.attachment]));
+        buffer_ = attachment_picture(buffers.attachments[looked_at_.attachment]);
         break;
       }
       [[fallthrough]];
     case Buffer::color:
       buffer_picture_.upload(buffers.color);
-      break;
+      return;
   }
+  buffer_picture_.upload(buffer_);
+}
+
+bool Studio::is_light_at(std::size_t pixel) const {
+  const auto& rgba = buffer_.rgba.empty() ? inspector_.buffers().color.rgba : buffer_.rgba;
+  if (4 * pixel + 2 >= rgba.size()) return false;
+  // Luma as of Rec. 709, of the bytes as they are: what an eye takes for half is not half the
+  // light.
+  const double luma =
+      0.2126 * rgba[4 * pixel] + 0.7152 * rgba[4 * pixel + 1] + 0.0722 * rgba[4 * pixel + 2];
+  return luma > 127;
 }
 
 }  // namespace shadowlab::live

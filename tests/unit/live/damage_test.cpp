@@ -1,52 +1,21 @@
 // A frame of which only what changed is drawn is the frame.
 #include <functional>
 
-#include "core/version.h"
-#include "live/commands.h"
-#include "live/panels.h"
-#include "workshop_fixture.h"
+#include "window_fixture.h"
 
 namespace shadowlab::live {
 namespace {
 
-constexpr int width = 640, height = 400;
-
-class DamageTest : public WorkshopTest {
+class DamageTest : public WindowTest {
  protected:
-  DamageTest()
-      : small(context::create(context::Backend::osmesa, {width, height}), 48, 48),
-        interface(small),
-        screen(small),
-        studio(small, {{home() / "scripts" / "projected_stencil.lua",
-                        home() / "scripts" / "projected_plain.lua"},
-                       {},
-                       {}}) {}
+  DamageTest() { open({stock("projected_stencil"), stock("projected_plain")}); }
 
-  void say() {
-    pictures = studio.step(0) ? Pictures::may_have_changed : Pictures::as_they_were;
-    interface.begin({width, height}, 1.0 / 60);
-    draw_window(studio, view, interface);
-  }
-  void show(gl::Screen& on) {
-    on.begin(width, height, ground_of(view.style));
-    interface.end(on, pictures);
-  }
   // What is on it, but for the mark that counts frames.
   static image::Image seen(const gl::Screen& on) {
     image::Image picture = on.read();
     picture.set(0, height - 1, {0, 0, 0, 255});
     return picture;
   }
-  void press(context::Key key, context::Modifiers modifiers = {}) {
-    run_command({key, 0, context::Press::down, modifiers}, studio, view);
-  }
-
-  gl::Graphics small;
-  Interface interface;
-  gl::Screen screen;
-  Studio studio;
-  View view;
-  Pictures pictures = Pictures::may_have_changed;
 };
 
 TEST_F(DamageTest, what_is_drawn_again_makes_the_whole_frame) {
@@ -60,7 +29,7 @@ TEST_F(DamageTest, what_is_drawn_again_makes_the_whole_frame) {
         press(Key::left, {false, true, false});
       },
       [&] { press(Key::f6); },
-      [&] { studio.say("a word in the lowest line"); },
+      [&] { studio->say("a word in the lowest line"); },
       [&] { press(Key::f1); },
       [&] { press(Key::right); },  // the picture changes below the help
       [&] { press(Key::f1); },
@@ -77,13 +46,10 @@ TEST_F(DamageTest, what_is_drawn_again_makes_the_whole_frame) {
   };
   int place = 0, kept = 0;
   for (const auto& action : actions) {
-    for (int i = 0; i < 2; ++i) {  // a panel settles in its second frame
-      say();
-      show(screen);
-    }
+    frame();
+    frame();  // a panel settles in its second
     action();
-    say();
-    show(screen);
+    frame();
     kept += screen.kept() ? 1 : 0;
     const image::Image after = seen(screen);
     gl::Screen fresh(small);
@@ -96,10 +62,7 @@ TEST_F(DamageTest, what_is_drawn_again_makes_the_whole_frame) {
 }
 
 TEST_F(DamageTest, a_panel_that_says_what_it_said_is_not_drawn_again) {
-  for (int i = 0; i < 5; ++i) {
-    say();
-    show(screen);
-  }
+  for (int i = 0; i < 5; ++i) frame();
   // A blot in the left panel stays where nothing is drawn, and goes where everything is.
   say();
   screen.begin(width, height, ground_of(Style::projector));
