@@ -10,8 +10,9 @@
 
 // The change of p with s and with t. `c` is the place on the map, (s, t, p, q), and x and y are its steps
 // to the next pixels: points of the plane as c is, so the slopes are exact, under a perspective too.
+// Over q first: products of what is far away would be infinite.
 vec2 receiver_slope(vec4 c, vec4 x, vec4 y) {
-  vec3 u = x.stp * c.q - c.stp * x.q, v = y.stp * c.q - c.stp * y.q;
+  vec3 place = c.stp / c.q, u = (x.stp - place * x.q) / c.q, v = (y.stp - place * y.q) / c.q;
   float area = u.s * v.t - u.t * v.s;
   return abs(area) < 1e-30 ? vec2(0.0)  // edge on
                            : vec2(v.t * u.p - u.t * v.p, u.s * v.p - v.s * u.p) / area;

@@ -238,6 +238,28 @@ test("z_fail_and_z_pass_draw_the_same_where_depth_tells_hardly_anything", functi
   end)
 end)
 
+-- ---- 41: a light eight hundred thousand units away in a world of a million
+
+local far_and_large = {
+  unit = 1000000, size = { 64, 64 }, light = vec4(-5573, 771550, 324723, 1),
+  camera = { eye = vec3(-2, 3, 1), target = vec3(0, 1, 0), fovy = 60, near = 0.01, far = 60 },
+  { mesh.box(1), "none", vec3(0, 2, 1), vec3(0, 1, 0), 0, vec3(1, 1, 1) } }
+
+-- Squares of a clip coordinate are 1e24 there, and products of those no floats any more: what is not a
+-- number is not nearer than the map, and all was dark.
+test("a_light_far_from_a_large_world_lights_it_by_maps_too", function()
+  found.at_its_size(far_and_large, function(world, light)
+    local truth = given.draw("truth", world, light)
+    for recipe, params in pairs{ fbo = { bias = "offset" }, copy = { bias = "recommended" },
+                                 sampler = { bias = "offset", compare = "LEQUAL" } } do
+      params.size = 512
+      local picture = given.draw("shadow_map_" .. recipe, world, light, params)
+      expect_equal(beyond(picture, truth), 0, recipe)
+      if recipe == "fbo" then ours("no wrong pixel", picture) end
+    end
+  end)
+end)
+
 row{ case = 31, title = "A light in a face", expected = "the picture of a light 2^-17 of the caster's size beside it",
      facts = { "a_light_in_a_face_draws_what_it_does_a_hair_beside_it" } }
 row{ case = 32, title = "A side that rounding turns round", expected = "each pixel of it is counted, as a front or as a back",
@@ -263,3 +285,6 @@ row{ case = 39, title = "A surface that the light grazes", expected = "lit and d
 row{ case = 40, title = "Counting from both ends of the ray, near plane at a hundred-thousandth", expected = "z-fail and z-pass draw the same",
      facts = { "z_fail_and_z_pass_draw_the_same_where_depth_tells_hardly_anything" },
      without = "right too: it moves no depths, so that caps and casters stay together" }
+row{ case = 41, title = "A light eight hundred thousand units away, in a world of a million units", expected = "the shadow of a direction, by maps too",
+     facts = { "a_light_far_from_a_large_world_lights_it_by_maps_too" },
+     without = "right too: it takes no fragment's climb off, and so squares nothing" }
