@@ -60,10 +60,11 @@ end
 -- Draws some of the objects whose depths are there, `fronts` being what scene_depth.draw returned.
 scene_depth.draw_again = draw_all
 
--- What that costs, as a recipe's limit: the two steps of the pull, the rounding of both depths, and the error of
--- interpolating them, which with a near plane of 1e-5 is up to four steps more: a shadow begins late by at most
--- 8 z^2 / (near 2^24), and a caster's foot may be cut off by that. (Of six steps no departure is known; of four
--- the search finds some.) Of two sides of volumes that are so near one may be counted and the other not.
-function scene_depth.limit() return { eye_units = 8 } end
+-- What that costs, as a recipe's limit: the two steps of the pull, and for either depth up to five. Two of those
+-- are roundings, of the window's depth and of interpolating it. Three are of floats: depth is the difference of
+-- clip space's w and z, each of which is a sum rounded to some 2^-22 of it, over w. So a shadow begins late by at
+-- most 12 z^2 / (near 2^24), and a caster's foot may be cut off by that. (The search has found 8.8 steps.) Of two
+-- sides of volumes that are so near one may be counted and the other not.
+function scene_depth.limit() return { eye_units = 12 } end
 
 return scene_depth

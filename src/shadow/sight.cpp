@@ -225,7 +225,7 @@ Eye::Eye(const scene::Camera& camera, glm::ivec2 picture)
 
 double Eye::tolerance(double z) const {
   z = std::max(z, near);
-  return z * slope * 2 / size.y / 32 + 8 * z * z / (near * 0x1p24);
+  return z * slope * 2 / size.y / 32 + 12 * z * z / (near * 0x1p24);
 }
 
 glm::dvec2 Eye::pixel(glm::dvec3 point) const {

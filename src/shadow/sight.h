@@ -28,8 +28,8 @@ struct Eye {
   double area() const { return size.x * size.y; }
   glm::dvec2 pixel(glm::dvec3 point) const;
   /// How far GL may move a surface at this depth against the volumes: 1/32 of a pixel (corners are
-  /// at 1/256, and the offset of a slope is 1/512) and eight steps of 24-bit depth (the offset is
-  /// two, and each depth is rounded).
+  /// at 1/256, and the offset of a slope is 1/512) and twelve steps of 24-bit depth (the offset is
+  /// two, and each depth is off by up to five: scripts/parts/scene_depth.lua).
   double tolerance(double depth) const;
 
   glm::dvec3 position;
