@@ -48,12 +48,33 @@ void move_pixel(Studio& studio, View& view) {
   pixel = {std::clamp(pixel.x + X, 0, width - 1), std::clamp(pixel.y + Y, 0, height - 1)};
   studio.set_pixel(pixel);
   view.details = View::Details::pixel;
+  view.picture.pan_to(pixel);
+}
+
+// Along the floor, as the camera sees it: to its right, and away from it.
+template <int Right, int Away>
+void move_caster(Studio& studio, View& view) {
+  const auto camera = studio.camera();
+  if (!camera) return;
+  const glm::dvec3 arm = camera->target - camera->eye, up = glm::normalize(camera->up);
+  const glm::dvec3 right = glm::normalize(glm::cross(arm, up)), away = glm::cross(up, right);
+  studio.shift_caster(
+      view.caster, (right * double(Right) + away * double(Away)) * (light_step * glm::length(arm)));
+}
+
+template <int By>
+void slide(Studio&, View& view) {
+  view.slider = std::clamp(view.slider + By * 0.05, 0.0, 1.0);
 }
 
 template <bool Larger>
-void zoom(Studio&, View& view) {
+void zoom(Studio& studio, View& view) {
   const Rectangle& area = view.picture.area();
-  view.picture.zoom_at(Larger ? 2 : 0.5, area.x + area.width / 2, area.y + area.height / 2);
+  glm::dvec2 at(area.x + area.width / 2, area.y + area.height / 2);
+  // About the pixel that is looked at, which keys lead to.
+  if (const auto& pixel = studio.pixel())
+    at = view.picture.corner_of(pixel->x + 0.5, pixel->y + 0.5);
+  view.picture.zoom_at(Larger ? 2 : 0.5, at.x, at.y);
 }
 
 template <int By>
@@ -96,12 +117,17 @@ constexpr Command all[] = {
      [](Studio& s, View&) { s.look_at_next(); }},
     {Key::f12, 0, plain, "F12", "the pass's state, its calls, the pixel's history",
      [](Studio&, View& v) { v.details = next_of(v.details); }},
+    {Key::page_down, 0, shift, "Shift+PageUp, PageDown", "through the state, calls, history",
+     [](Studio&, View& v) { v.scrolls += 8; }},
+    {Key::page_up, 0, shift, nullptr, "", [](Studio&, View& v) { v.scrolls -= 8; }},
     {Key::left, 0, alt, "Alt+arrows", "the pixel that is looked at", move_pixel<-1, 0>},
     {Key::right, 0, alt, nullptr, "", move_pixel<1, 0>},
     {Key::up, 0, alt, nullptr, "", move_pixel<0, -1>},
     {Key::down, 0, alt, nullptr, "", move_pixel<0, 1>},
     {Key::f4, 0, plain, "F4", "the truth under a slider, the error, neither",
      [](Studio& s, View&) { s.set_truth_mode(next_of(s.truth_mode())); }},
+    {Key::home, 0, control, "Ctrl+Home, Ctrl+End", "the slider", slide<-1>},
+    {Key::end, 0, control, nullptr, "", slide<1>},
     {Key::f6, 0, plain, "F6", "silhouettes, volumes, the light's frustum, cascades",
      [](Studio&, View& v) { v.overlay = next_of(v.overlay); }},
 
@@ -117,6 +143,16 @@ constexpr Command all[] = {
     {Key::down, 0, control, nullptr, "", move_light<0, -1, 0>},
     {Key::page_up, 0, control, nullptr, "", move_light<0, 0, 1>},
     {Key::page_down, 0, control, nullptr, "", move_light<0, 0, -1>},
+    {Key::left, 0, control_shift, "Ctrl+Shift+arrows", "a caster along the floor; with Tab another",
+     move_caster<-1, 0>},
+    {Key::right, 0, control_shift, nullptr, "", move_caster<1, 0>},
+    {Key::up, 0, control_shift, nullptr, "", move_caster<0, 1>},
+    {Key::down, 0, control_shift, nullptr, "", move_caster<0, -1>},
+    {Key::tab, 0, control_shift, nullptr, "",
+     [](Studio& s, View& v) {
+       ++v.caster;
+       s.shift_caster(v.caster, {});
+     }},
     {Key::left, 0, shift, "Shift+arrows", "the camera; PageUp, PageDown nearer and farther",
      orbit<-1, 0>},
     {Key::right, 0, shift, nullptr, "", orbit<1, 0>},

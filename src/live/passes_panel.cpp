@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "live/panels.h"
 
@@ -23,7 +24,7 @@ void draw_list(Studio& studio, const View& view) {
   const std::vector<double>& times = view.readings.passes_ms();
   const double longest = times.empty() ? 0 : std::ranges::max(times);
   const double all = std::accumulate(times.begin(), times.end(), 0.0);
-  ImGui::Text("%zu passes, %.2f ms", passes.size(), all);
+  ImGui::Text("%zu pass%s, %.2f ms", passes.size(), passes.size() == 1 ? "" : "es", all);
   ImGui::BeginChild("list", {0, ImGui::GetWindowHeight() * list_height}, false);
   if (ImGui::Selectable("the whole frame", !studio.chosen_pass())) studio.choose_pass({});
   const float width = ImGui::GetContentRegionAvail().x, number = ImGui::CalcTextSize("000.00 ").x;
@@ -168,6 +169,11 @@ void draw_passes(Studio& studio, View& view, const Interface& interface) {
   studio.set_tracing(view.details == Details::calls ? Studio::Tracing::on : Studio::Tracing::off);
   ImGui::PushFont(interface.code());
   ImGui::BeginChild("details", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  if (const int lines = std::exchange(view.scrolls, 0)) {
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + static_cast<float>(lines) * line, 0.0f,
+                                 ImGui::GetScrollMaxY()));
+  }
   if (view.details == Details::state) draw_state(studio);
   if (view.details == Details::calls) draw_calls(studio);
   if (view.details == Details::pixel) draw_pixel(studio);

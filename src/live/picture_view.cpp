@@ -31,6 +31,16 @@ void PictureView::pan(double x, double y) {
   center_ -= glm::dvec2(x, y) / (picture_ * *zoom_);
 }
 
+void PictureView::pan_to(glm::ivec2 pixel) {
+  const glm::dvec2 low = corner_of(pixel.x, pixel.y), high = corner_of(pixel.x + 1, pixel.y + 1);
+  const auto by = [](double from, double to, double least, double most) {
+    return from < least ? least - from : std::min(0.0, most - to);
+  };
+  const double x = by(low.x, high.x, area_.x, area_.x + area_.width);
+  const double y = by(low.y, high.y, area_.y, area_.y + area_.height);
+  if (x != 0 || y != 0) pan(x, y);
+}
+
 void PictureView::place(Rectangle area, int width, int height) {
   area_ = area;
   picture_ = {std::max(width, 1), std::max(height, 1)};

@@ -22,6 +22,8 @@ class PictureView {
   /// Nearer or farther, with what is at that place of the screen staying there.
   void zoom_at(double factor, double x, double y);
   void pan(double x, double y);
+  /// So far that this pixel, from the left and the top, is in the area.
+  void pan_to(glm::ivec2 pixel);
 
   /// Puts a picture of that size into `area`. Whole zooms put pixels on pixels.
   void place(Rectangle area, int width, int height);

@@ -92,6 +92,8 @@ class Studio {
   Grip grab(glm::dvec2 place, Grip wanted);
   void drag(glm::dvec2 place);
   void let_go() { held_ = {}; }
+  /// Moves a caster without a hand: which of them, counted round, and by how much (world).
+  void shift_caster(std::size_t which, glm::dvec3 step);
 
   /// Whether a recipe that takes long is drawn coarsely while a hand moves something, and sharply
   /// once it rests.
@@ -157,6 +159,7 @@ class Studio {
   bool draw_coarse(Bench& bench, const Moment& moment);
   void share_light(Bench& bench);
   void hand_moves();
+  void move(const std::string& object, const glm::dmat4& model);
   void show_buffers();
   void keep_calls();
   void save_screenshot();

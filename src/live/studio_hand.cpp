@@ -97,17 +97,33 @@ void Studio::drag(glm::dvec2 place) {
     if (!to) return;
     glm::dmat4 model = held_.model;
     model[3] += glm::dvec4(*to - held_.point, 0);
-    hand_moves();
-    const std::string name = scene()->objects[held_.object].name;
-    for (const auto& bench : benches_) {
-      try {
-        bench->workshop.move(name, model);
-      } catch (const InputError&) {
-        // Its scene has no such object.
-      }
-    }
-    touch();
+    move(std::string(scene()->objects[held_.object].name), model);
   }
+}
+
+void Studio::move(const std::string& object, const glm::dmat4& model) {
+  hand_moves();
+  for (const auto& bench : benches_) {
+    try {
+      bench->workshop.move(object, model);
+    } catch (const InputError&) {
+      // Its scene has no such object.
+    }
+  }
+  touch();
+}
+
+void Studio::shift_caster(std::size_t which, glm::dvec3 step) {
+  if (!scene()) return;
+  std::vector<const scene::Object*> casters;
+  for (const scene::Object& object : scene()->objects)
+    if (object.casts()) casters.push_back(&object);
+  if (casters.empty()) return;
+  const scene::Object& caster = *casters[which % casters.size()];
+  glm::dmat4 model = caster.model;
+  model[3] += glm::dvec4(step, 0);
+  say(fmt::format("moves {}", caster.name));
+  move(std::string(caster.name), model);
 }
 
 }  // namespace shadowlab::live

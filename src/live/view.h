@@ -24,6 +24,8 @@ struct View {
   Readings readings;
   double slider = 0.5;        ///< right of it is the truth: of the picture's width
   bool slides = false;        ///< the pointer holds it
+  std::size_t caster = 0;     ///< the one that the keys are about
+  int scrolls = 0;            ///< lines that the details are to go on by
   std::size_t parameter = 0;  ///< the one that the keys are about
   bool window_shot = false;   ///< the window itself is to go into a file
   enum class Details { state, calls, pixel, count } details = Details::state;

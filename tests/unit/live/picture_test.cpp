@@ -33,6 +33,71 @@ TEST_F(PictureTest, a_light_that_is_out_of_sight_is_dragged_into_it_by_its_mark_
   EXPECT_NEAR(place().y, pointer.y, 1e-9);
 }
 
+TEST_F(PictureTest, what_a_mouse_moves_keys_move_too) {
+  using context::Key;
+  constexpr context::Modifiers control_shift{true, true, false}, control{false, true, false},
+      shift{true, false, false};
+  open({stock("volumes_zfail")});
+  frame();
+  const auto place = [&] {
+    for (const auto& object : studio->bench().workshop.recipe()->scene()->objects)
+      if (object.casts()) return glm::dvec3(object.model[3]);
+    return glm::dvec3(0);
+  };
+  const glm::dvec3 before = place();
+  press(Key::up, control_shift);
+  press(Key::right, control_shift);
+  const glm::dvec3 after = place();
+  EXPECT_NE(after.x, before.x);
+  EXPECT_NE(after.z, before.z);
+  EXPECT_EQ(after.y, before.y) << "along the floor";
+  press(Key::down, control_shift);
+  press(Key::left, control_shift);
+  EXPECT_NEAR(glm::length(place() - before), 0, 1e-12);
+  EXPECT_EQ(studio->bench().workshop.changes().models.size(), 1u);
+
+  const double slider = view.slider;
+  press(Key::end, control);
+  EXPECT_GT(view.slider, slider);
+
+  press(Key::down);
+  for (int i = 0; i < 3; ++i) frame();
+  const auto details = [&] {  // the lowest rows of the right panel
+    frame();
+    const image::Image picture = screen.read();
+    std::vector<std::array<std::uint8_t, 4>> pixels;
+    for (int y = 300; y < 350; ++y)
+      for (int x = 450; x < width; ++x) pixels.push_back(picture.at(x, y));
+    return pixels;
+  };
+  const auto above = details();
+  press(Key::page_down, shift);
+  frame();
+  EXPECT_NE(details(), above) << "the state is longer than its place";
+  press(Key::page_up, shift);
+  frame();
+  EXPECT_EQ(details(), above);
+}
+
+TEST_F(PictureTest, keys_lead_to_a_pixel_and_enlarge_it) {
+  using context::Key;
+  open({stock("projected_stencil")});
+  frame();
+  constexpr context::Modifiers alt{false, false, true}, control{false, true, false};
+  for (int i = 0; i < 60; ++i) press(Key::left, alt);
+  for (int i = 0; i < 8; ++i) {
+    run_command({Key::character, '+', context::Press::down, control}, *studio, view);
+    frame();
+  }
+  ASSERT_EQ(studio->pixel(), glm::ivec2(0, 24));
+  for (int i = 0; i < 20; ++i) {
+    press(Key::right, alt);
+    frame();
+  }
+  const glm::dvec2 corner = view.picture.corner_of(20, 24);
+  EXPECT_TRUE(view.picture.area().holds(corner.x, corner.y)) << "the picture follows the pixel";
+}
+
 TEST_F(PictureTest, numbers_are_black_where_the_picture_is_light_and_white_where_it_is_dark) {
   open({stock("projected_stencil")});
   view.picture.set_zoom(100);
