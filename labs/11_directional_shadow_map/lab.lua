@@ -7,10 +7,12 @@ return {
   size   = { 256, 256 },
   cases  = {   -- of the recipe's own scene: another one would bring its own light, a lamp
     { name = "the sun of the lesson", points = 2, compare = { color = true } },
-    { name = "another sun", points = 3, set = { light = sun() }, compare = { color = true } },
+    { name = "another sun", points = 3, set = { light = sun() },
+      compare = { color = true, depth = "2. the scene, with the map" } },
     { name = "seen from anywhere", points = 3, hidden = true, camera = random.camera(table_top),
       set = { light = sun(), darkness = random.number(0.15, 0.4) }, compare = { color = true } },
-    { name = "a map of another size", points = 2, hidden = true, set = { light = sun(), size = random.choice{ 700, 900, 1400 } },
+    -- Texels of two pixels and more: which box the map covers, and how it is read, is to be seen.
+    { name = "a map whose texels are seen", points = 2, hidden = true, set = { light = sun(), size = random.choice{ 60, 80, 100 } },
       compare = { color = true } },
   },
 }

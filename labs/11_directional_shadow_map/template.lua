@@ -64,8 +64,9 @@ function recipe.draw(r)
   local center = vec3(-0.5, 0.8, -0.1)        -- of the teapot, which is in 1.3 metres of it
 
   gl.Enable(gl.DEPTH_TEST)
-  -- TO DO (2): look at the centre from 4 metres toward the sun (light.xyz is any vector toward it). The rays
-  -- of the sun are parallel: a box of 1.3 metres to each side, from 1 to 9 metres ahead.
+  -- TO DO (2): look at the centre from 4 metres toward the sun (light.xyz is any vector toward it), y up. The
+  -- rays of the sun are parallel: a box of 1.3 metres to each side, from 1 to 9 metres ahead. One case has a map
+  -- so coarse that its texels are seen: there another box, or one turned otherwise, is another picture.
   local light_view = mat4.identity()
   local light_projection = mat4.identity()
 

@@ -15,8 +15,10 @@ return {
     { name = "another sun", points = 3, set = { light = sun() }, compare = { color = true } },
     { name = "from elsewhere in the street", points = 3, hidden = true, camera = down_the_street(),
       set = { light = sun() }, compare = { color = true } },
-    { name = "splits nearer to uniform", points = 2, hidden = true,
-      set = { light = sun(), lambda = random.number(0.3, 0.6), darkness = random.number(0.15, 0.4) },
+    -- Maps so coarse that it is seen which part of the view each of them covers.
+    { name = "splits nearer to uniform, and coarse maps", points = 2, hidden = true,
+      set = { light = sun(), lambda = random.number(0.3, 0.6), darkness = random.number(0.15, 0.4),
+              size = random.choice{ 48, 56, 64 } },
       compare = { color = true } },
   },
 }

@@ -85,12 +85,17 @@ Counts run(const fs::path& folder) {
     if (calls[i].arguments.empty() || is_overwritten(calls, i) ||
         !gl::replay(exam.functions(), calls[i].function, calls[i].arguments))
       continue;
-    for (const Call& mutant : mutants_of(calls[i])) {
+    const std::vector<Call> mutants = mutants_of(calls[i]);
+    for (std::size_t m = 0; m < mutants.size(); ++m) {
+      const Call& mutant = mutants[m];
+      // In each case the same is done to what is set there: another map has another viewport.
       std::vector<std::vector<Change>> changes(cases.size());
       for (std::size_t c = 0; c < cases.size(); ++c) {
         const Calls& theirs = cases[c].drawing().calls;
-        if (i < theirs.size() && theirs[i].function == calls[i].function)
-          changes[c].push_back({i, mutant.function, mutant.arguments});
+        if (i >= theirs.size() || theirs[i].function != calls[i].function) continue;
+        const std::vector<Call> like_it = mutants_of(theirs[i]);
+        if (like_it.size() == mutants.size())
+          changes[c].push_back({i, like_it[m].function, like_it[m].arguments});
       }
       Distance distance;
       const bool passes = exam.passes(exam.lab().solution(), distance, changes);
