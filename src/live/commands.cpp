@@ -124,7 +124,7 @@ constexpr Command all[] = {
     {Key::right, 0, alt, nullptr, "", move_pixel<1, 0>},
     {Key::up, 0, alt, nullptr, "", move_pixel<0, -1>},
     {Key::down, 0, alt, nullptr, "", move_pixel<0, 1>},
-    {Key::f4, 0, plain, "F4", "the truth under a slider, the error, neither",
+    {Key::f4, 0, plain, "F4", "the truth under a slider, beside, the error, neither",
      [](Studio& s, View&) { s.set_truth_mode(next_of(s.truth_mode())); }},
     {Key::home, 0, control, "Ctrl+Home, Ctrl+End", "the slider", slide<-1>},
     {Key::end, 0, control, nullptr, "", slide<1>},

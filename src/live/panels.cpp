@@ -164,7 +164,11 @@ void draw_window(Studio& studio, View& view, const Interface& interface) {
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (i != studio.focus() && draw_other(studio, i, areas[i])) clicked = i;
   }
-  draw_picture(studio, view, interface, areas[studio.focus()]);
+  // In halves of one size while the truth is beside the picture, also until it is traced.
+  const bool beside = studio.truth_mode() == TruthMode::beside;
+  const auto halves = shares(areas[studio.focus()], beside ? 2 : 1);
+  draw_picture(studio, view, interface, halves[0]);
+  if (beside) draw_truth_beside(studio, view, halves[1]);
   draw_labels(studio, areas);
   draw_light(studio, view);
   if (areas.size() > 1) draw_border(areas[studio.focus()]);

@@ -13,6 +13,8 @@ void draw_window(Studio& studio, View& view, const Interface& interface);
 
 /// Its parts.
 void draw_picture(Studio& studio, View& view, const Interface& interface, const Rectangle& area);
+/// The truth as draw_picture drew the picture, in another place.
+void draw_truth_beside(const Studio& studio, const View& view, const Rectangle& area);
 /// The mark of the light over everything in the picture's place; after draw_picture.
 void draw_light(const Studio& studio, const View& view);
 void draw_parameters(Studio& studio, View& view);

@@ -274,6 +274,16 @@ void draw_picture(Studio& studio, View& view, const Interface& interface, const 
   list.PopClipRect();
 }
 
+void draw_truth_beside(const Studio& studio, const View& view, const Rectangle& area) {
+  if (!studio.truth().shows()) return;
+  PictureView other = view.picture;
+  other.place(area, studio.truth().truth().width(), studio.truth().truth().height());
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(vec({area.x, area.y}), vec({area.x + area.width, area.y + area.height}));
+  draw_image(list, studio.truth().truth(), other.placed());
+  list.PopClipRect();
+}
+
 void draw_light(const Studio& studio, const View& view) {
   if (!marks_light(studio, view)) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -11,10 +11,10 @@
 namespace shadowlab::live {
 namespace {
 
-constexpr double rest = 0.15;  // seconds after which a hand is thought to be still
-constexpr double slow = 40;    // ms: a frame that a hand feels
-constexpr int coarseness = 2;
-constexpr int warming = 2;  // frames in which shaders are compiled and buffers made
+constexpr double rest = 0.15;     // seconds after which a hand is thought to be still
+constexpr double slow = 40;       // ms: a frame that a hand feels
+constexpr double crawling = 160;  // ms: one that half the size would not help enough
+constexpr int warming = 2;        // frames in which shaders are compiled and buffers made
 
 }  // namespace
 
@@ -115,6 +115,7 @@ bool Studio::draw_coarse(Bench& bench, const Moment& moment) {
       looked_at_.buffer != LookedAt::Buffer::color)
     return false;
   const int width = graphics_.width(), height = graphics_.height();
+  const int coarseness = bench.frame_ms < crawling ? 2 : 4;
   const bool drawn = bench.workshop.draw_coarse(moment, coarseness) == Workshop::Drawn::picture;
   if (drawn) bench.picture.copy_main_frame();
   graphics_.resize(width, height);

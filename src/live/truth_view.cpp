@@ -71,6 +71,8 @@ const char* name_of(TruthMode mode) {
   switch (mode) {
     case TruthMode::slider:
       return "truth under a slider";
+    case TruthMode::beside:
+      return "truth beside";
     case TruthMode::error:
       return "error against the truth";
     default:

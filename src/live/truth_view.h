@@ -15,7 +15,7 @@
 
 namespace shadowlab::live {
 
-enum class TruthMode { off, slider, error, count };
+enum class TruthMode { off, slider, beside, error, count };
 const char* name_of(TruthMode mode);
 
 class TruthView {

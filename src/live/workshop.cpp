@@ -145,6 +145,7 @@ Workshop::Drawn Workshop::draw_coarse(const Moment& moment, int coarseness) {
   graphics_.resize(std::max(1, graphics_.width() / coarseness),
                    std::max(1, graphics_.height() / coarseness));
   try {
+    if (std::exchange(coarseness_, coarseness) != coarseness) coarse_.reset();
     if (!coarse_) coarse_ = std::make_unique<recipe::Recipe>(graphics_, file_, options_);
     for (const auto& [name, parameter] : good_->parameters())
       coarse_->set(name, lua::text_of(parameter));

@@ -95,6 +95,7 @@ class Workshop {
   std::set<std::filesystem::path> files_;  ///< that the versions asked for since the last good one
   std::unique_ptr<recipe::Recipe> good_;
   std::unique_ptr<recipe::Recipe> coarse_;  ///< the same version, set up for a smaller picture
+  int coarseness_ = 0;                      ///< of `coarse_`
   std::optional<Failure> failure_;
   Changes changes_;
   std::function<void(recipe::Recipe&)> listener_;

@@ -79,6 +79,28 @@ TEST_F(PictureTest, what_a_mouse_moves_keys_move_too) {
   EXPECT_EQ(details(), above);
 }
 
+TEST_F(PictureTest, the_truth_is_beside_the_picture_at_its_size) {
+  open({stock("shadow_map_fbo")});
+  frame();
+  studio->set_truth_mode(TruthMode::beside);
+  for (int i = 0; i < 10'000 && !studio->truth().shows(); ++i) studio->step(1);
+  ASSERT_TRUE(studio->truth().shows());
+  frame();
+  const Rectangle& at = view.picture.placed();
+  const image::Image shown = screen.read();
+  const auto pixel = [&](double x, double y) {
+    return shown.at(static_cast<int>(x), static_cast<int>(y));
+  };
+  const std::array<std::uint8_t, 4> white{255, 255, 255, 255}, black{0, 0, 0, 255};
+  EXPECT_NE(pixel(at.x + 2, at.y + 2), white) << "the scene's ground";
+  EXPECT_EQ(pixel(at.x + view.picture.area().width + 2, at.y + 2), white) << "the light reaches it";
+  int dark = 0;
+  for (int y = 0; y < static_cast<int>(at.height); ++y)
+    for (int x = 0; x < static_cast<int>(at.width); ++x)
+      dark += pixel(at.x + view.picture.area().width + x, at.y + y) == black ? 1 : 0;
+  EXPECT_GT(dark, 50) << "the shadow";
+}
+
 TEST_F(PictureTest, keys_lead_to_a_pixel_and_enlarge_it) {
   using context::Key;
   open({stock("projected_stencil")});
