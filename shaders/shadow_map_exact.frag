@@ -120,7 +120,7 @@ int rough_answer(int triangle, vec3 p, float off, vec3 e) {
   float slack = off + rough * (size + abs(sheet.w));
   float before = dot(sheet.xyz, p) + sheet.w, of_eye = dot(sheet.xyz, e) + sheet.w;
   // Whether the sheet may hide the point.
-  bool tied = abs(before) < tie + slack &&
+  bool tied = abs(before) < tie + 4.0 * off + slack &&
               before * of_eye < slack * (abs(before) + abs(of_eye));
   if (before > slack && !tied) return LIT;
   int answer = before < -slack && !tied ? DARK : DOUBT;
@@ -137,8 +137,10 @@ int rough_answer(int triangle, vec3 p, float off, vec3 e) {
 void main() {
   own = first_own + gl_PrimitiveID;
   vec3 p = (eye_to_grid * vec4(eye_position, 1.0)).xyz, e = eye_to_grid[3].xyz;
-  float off = overhang * (length(dFdx(p)) + length(dFdy(p))) + rough * size_of(e);
-  tie = 4.0 * off + depth_step * dot(p - e, p - e);
+  // By places from the eye: from a light far away floats tell neither their steps nor their distance.
+  float moved = overhang * (length(dFdx(eye_position)) + length(dFdy(eye_position)));
+  float off = moved + rough * size_of(e);
+  tie = 4.0 * moved + depth_step * dot(eye_position, eye_position);
   int answer = LIT, tested = 0;
   if (casts) {
     vec4 sheet = texel(own, 0);

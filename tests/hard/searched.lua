@@ -260,6 +260,22 @@ test("a_light_far_from_a_large_world_lights_it_by_maps_too", function()
   end)
 end)
 
+-- From a light as far as this a float tells places by centimetres: what asks "is it as near as depth can tell?"
+-- must count from the eye.
+local far_and_below = {
+  size = { 64, 64 }, light = vec4(-161626, -189646, -69973, 1),
+  camera = { eye = vec3(-0.11, -0.82, -0.11), target = vec3(0, 1, 0), fovy = 60, near = 0.01, far = 60 },
+  { mesh.box(1), "none", vec3(0.6531943748850364, 0.5613704404378034, 0.11676517756713434),
+    vec3(-0.9282436377624006, -0.30051307347509093, 0.21921597027630035), 120.6, vec3(2.86, 1.08, 0.86) } }
+
+test("the_exact_map_of_a_light_that_is_far_is_exact", function()
+  found.at_its_size(far_and_below, function(world, light)
+    local truth = given.draw("truth", world, light)
+    local picture = given.draw("shadow_map_exact", world, light, { cells = 64, fit = "view", count = false })
+    expect_equal(beyond(picture, truth), 0)
+  end)
+end)
+
 row{ case = 31, title = "A light in a face", expected = "the picture of a light 2^-17 of the caster's size beside it",
      facts = { "a_light_in_a_face_draws_what_it_does_a_hair_beside_it" } }
 row{ case = 32, title = "A side that rounding turns round", expected = "each pixel of it is counted, as a front or as a back",
@@ -286,5 +302,5 @@ row{ case = 40, title = "Counting from both ends of the ray, near plane at a hun
      facts = { "z_fail_and_z_pass_draw_the_same_where_depth_tells_hardly_anything" },
      without = "right too: it moves no depths, so that caps and casters stay together" }
 row{ case = 41, title = "A light eight hundred thousand units away, in a world of a million units", expected = "the shadow of a direction, by maps too",
-     facts = { "a_light_far_from_a_large_world_lights_it_by_maps_too" },
+     facts = { "a_light_far_from_a_large_world_lights_it_by_maps_too", "the_exact_map_of_a_light_that_is_far_is_exact" },
      without = "right too: it takes no fragment's climb off, and so squares nothing" }
