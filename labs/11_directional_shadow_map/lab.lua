@@ -10,9 +10,9 @@ return {
     { name = "another sun", points = 3, set = { light = sun() },
       compare = { color = true, depth = "2. the scene, with the map" } },
     { name = "seen from anywhere", points = 3, hidden = true, camera = random.camera(table_top),
-      set = { light = sun(), darkness = random.number(0.15, 0.4) }, compare = { color = true } },
-    -- Texels of two pixels and more: which box the map covers, and how it is read, is to be seen.
-    { name = "a map whose texels are seen", points = 2, hidden = true, set = { light = sun(), size = random.choice{ 60, 80, 100 } },
+      set = { light = sun(), darkness = random.number(0.15, 0.4), size = random.choice{ 64, 72, 80 } }, compare = { color = true } },
+    -- Texels of two pixels and more, here and above: which box the map covers, and how it is read, is to be seen.
+    { name = "a map whose texels are seen", points = 2, hidden = true, set = { light = sun(), size = random.choice{ 40, 48, 56 } },
       compare = { color = true } },
   },
 }

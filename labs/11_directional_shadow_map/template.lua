@@ -65,8 +65,8 @@ function recipe.draw(r)
 
   gl.Enable(gl.DEPTH_TEST)
   -- TO DO (2): look at the centre from 4 metres toward the sun (light.xyz is any vector toward it), y up. The
-  -- rays of the sun are parallel: a box of 1.3 metres to each side, from 1 to 9 metres ahead. One case has a map
-  -- so coarse that its texels are seen: there another box, or one turned otherwise, is another picture.
+  -- rays of the sun are parallel: a box of 1.3 metres to each side, from 1 to 9 metres ahead. Some cases have maps
+  -- so coarse that their texels are seen: there another box, or one turned otherwise, is another picture.
   local light_view = mat4.identity()
   local light_projection = mat4.identity()
 
