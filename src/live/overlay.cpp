@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/gtc/matrix_inverse.hpp>
+#include <utility>
 
 #include "core/error.h"
 #include "scene/adjacency.h"
@@ -109,6 +110,29 @@ std::vector<Shape> shapes(Overlay overlay, const scene::Scene& scene, const scen
     return {};
   }
   return shapes;
+}
+
+const std::vector<Shape>& OverlayShapes::of(Overlay overlay, const scene::Scene& scene,
+                                            const scene::Camera& camera, double aspect,
+                                            glm::dvec4 light) {
+  MadeOf now{overlay, {camera.fovy, camera.near, camera.far, aspect}, {}};
+  const auto add = [&](const auto& vector) {
+    for (glm::length_t i = 0; i < vector.length(); ++i) now.numbers.push_back(vector[i]);
+  };
+  add(camera.eye);
+  add(camera.target);
+  add(camera.up);
+  add(light);
+  for (const scene::Object& object : scene.objects) {
+    for (glm::length_t column = 0; column < 4; ++column) add(object.model[column]);
+    now.numbers.push_back(static_cast<double>(object.role));
+    now.meshes.push_back(object.mesh);
+  }
+  if (now != made_of_) {
+    shapes_ = shapes(overlay, scene, camera, aspect, light);
+    made_of_ = std::move(now);
+  }
+  return shapes_;
 }
 
 std::vector<glm::dvec2> projected(const Shape& shape, const scene::Camera& camera, double aspect) {

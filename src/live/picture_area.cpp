@@ -138,7 +138,7 @@ void draw_image(ImDrawList& list, const gl::ShownPicture& picture, const Rectang
                 {static_cast<float>(from), 1}, {1, 0});
 }
 
-void draw_overlay(ImDrawList& list, const Studio& studio, const View& view) {
+void draw_overlay(ImDrawList& list, const Studio& studio, View& view) {
   const recipe::Recipe* recipe = studio.bench().workshop.recipe();
   const auto camera = studio.camera();
   const auto light = studio.light();
@@ -151,7 +151,7 @@ void draw_overlay(ImDrawList& list, const Studio& studio, const View& view) {
   const ImDrawListFlags before = list.Flags;
   list.Flags |= ImDrawListFlags_AntiAliasedLines;
   for (const Shape& shape :
-       shapes(view.overlay, *recipe->scene(), *camera, studio.aspect(), *light)) {
+       view.shapes.of(view.overlay, *recipe->scene(), *camera, studio.aspect(), *light)) {
     if (static_cast<double>(++drawn) > drawn_edges) break;
     std::vector<ImVec2> points;
     for (const glm::dvec2 place : projected(shape, *camera, studio.aspect()))

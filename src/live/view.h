@@ -20,6 +20,7 @@ struct View {
   Style style = Style::desk;
   context::Extent extent = context::Extent::windowed;
   Overlay overlay = Overlay::none;
+  OverlayShapes shapes;
   PictureView picture;
   Readings readings;
   double slider = 0.5;        ///< right of it is the truth: of the picture's width

@@ -1,10 +1,12 @@
 // Where pictures are on the screen, and what is drawn over them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "live/overlay.h"
 #include "live/picture_view.h"
+#include "scene/scene.h"
 
 namespace shadowlab::live {
 namespace {
@@ -44,6 +46,33 @@ TEST(Overlay, what_is_behind_the_eye_is_cut_off) {
   EXPECT_TRUE(std::isfinite(line[1].y));
   EXPECT_GT(line[1].y, 0);
   EXPECT_TRUE(projected({Shape::Kind::line, {{0, 0, 5}, {0, 1, 8}}, 0}, camera, 1).empty());
+}
+
+TEST(Overlay, shapes_are_those_of_the_scene_after_each_change_of_it) {
+  scene::Scene scene;
+  const auto box = std::make_shared<const scene::Mesh>(scene::box({1, 1, 1}));
+  scene.objects.push_back({"box", box, glm::dmat4(1), {}, scene::Role::both});
+  scene::Camera camera;
+  glm::dvec4 light(1, 5, 2, 1);
+  OverlayShapes shown;
+  const auto same = [&](Overlay overlay) {
+    const auto& ours = shown.of(overlay, scene, camera, 1.5, light);
+    const auto fresh = shapes(overlay, scene, camera, 1.5, light);
+    return std::ranges::equal(ours, fresh, {}, &Shape::points, &Shape::points);
+  };
+  for (const Overlay overlay :
+       {Overlay::silhouettes, Overlay::volumes, Overlay::frustum, Overlay::cascades}) {
+    EXPECT_TRUE(same(overlay));
+    EXPECT_TRUE(same(overlay)) << "unchanged";
+    light.x += 3;
+    EXPECT_TRUE(same(overlay)) << "another light";
+    scene.objects[0].model[3].x += 1;
+    EXPECT_TRUE(same(overlay)) << "moved";
+    camera.eye.x += 1;
+    EXPECT_TRUE(same(overlay)) << "another camera";
+    scene.objects.push_back({"other", box, glm::dmat4(2), {}, scene::Role::both});
+    EXPECT_TRUE(same(overlay)) << "another object";
+  }
 }
 
 }  // namespace
