@@ -101,7 +101,8 @@ void Program::reflect() {
     gl_.GetActiveUniform.unrecorded(name_, i, text.size(), {&length, 1}, {&uniform.count, 1},
                                     {&uniform.type, 1}, text);
     uniform.name.assign(text.data(), static_cast<std::size_t>(length));
-    if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);
+    uniform.array = uniform.name.ends_with("[0]");
+    if (uniform.array) uniform.name.resize(uniform.name.size() - 3);
     if (uniform.name.starts_with("gl_")) continue;
     uniform.location = gl_.GetUniformLocation.unrecorded(name_, uniform.name.c_str());
     if (uniform.location < 0) continue;  // of a uniform block, whose values are in a buffer
@@ -162,6 +163,10 @@ Shader::Shader(std::shared_ptr<Program> program)
 void Shader::set(const Uniform& uniform, std::span<const double> components) {
   const std::size_t words = uniform.words();
   const std::size_t each = words / static_cast<std::size_t>(uniform.count);
+  // What a shader does not read of an array GL leaves out of its length, and ignores when it is
+  // given.
+  if (uniform.array && components.size() > words && components.size() % each == 0)
+    components = components.first(words);
   if (components.empty() || components.size() > words || components.size() % each != 0) {
     throw InputError(fmt::format(
         "uniform {} takes {} number{}{}; {} given", uniform.name, each, each == 1 ? "" : "s",

@@ -34,6 +34,7 @@ struct Uniform {
   GLenum type = 0;   ///< GL_FLOAT_VEC3 …
   GLint location = -1;
   GLint count = 1;
+  bool array = false;     ///< declared as one; count is then only as far as the shader reads it
   std::size_t first = 0;  ///< where its words begin in a program's values
   std::size_t words() const;
   bool floating() const;

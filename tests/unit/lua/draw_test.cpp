@@ -71,6 +71,14 @@ TEST_F(Draws, take_arrays_of_vectors_and_matrices) {
             "uniform a takes numbers, vectors or matrices; element 2 is a string");
 }
 
+TEST_F(Draws, ignore_what_a_shader_does_not_read_of_an_array) {
+  run(showing("uniform float a[3];", "vec4(a[0])") + "mesh.quad():draw(s, { a = { 1, 0, 0 } })");
+  EXPECT_EQ(graphics().frame.read_color().rgba[0], 255);
+  EXPECT_EQ(error(showing("uniform vec2 a[3];", "vec4(a[0].x)") +
+                  "mesh.quad():draw(s, { a = { 1, 0, 0 } })"),
+            "uniform a takes 2 numbers; 3 given");
+}
+
 TEST_F(Draws, refuse_uniforms_that_no_stage_declares_and_ignore_dropped_ones) {
   EXPECT_EQ(error("mesh.quad():draw(shader.load 'flat', { colour = vec3(1, 0, 0) })"),
             "the shader declares no uniform colour; did you mean color?");
