@@ -188,17 +188,20 @@ CaseVerdict verdict_of(const Case& a_case, const ReferenceCase& reference, const
 
 std::optional<std::size_t> matching_mistake(const Lab& lab, const Reference& reference,
                                             const std::vector<Drawing>& drawings) {
+  // A case that shows no difference says nothing about the mistake.
+  std::vector<std::size_t> wrong;
+  for (std::size_t c = 0; c < drawings.size(); ++c) {
+    const ReferenceCase& right = reference.cases[c];
+    if (!same_picture(lab.cases[c], right, right.drawing(), drawings[c])) wrong.push_back(c);
+  }
   std::optional<std::size_t> best;
   std::size_t most = 0;
   for (std::size_t m = 0; m < reference.mistakes.size(); ++m) {
-    std::size_t alike = 0;
-    for (std::size_t c = 0; c < drawings.size(); ++c) {
-      const Case& a_case = lab.cases[c];
-      const ReferenceCase& right = reference.cases[c];
-      // A case that shows no difference says nothing about the mistake.
-      if (same_picture(a_case, right, right.drawing(), drawings[c])) continue;
-      alike += same_picture(a_case, right, reference.mistakes[m][c], drawings[c]);
-    }
+    const auto alike =
+        static_cast<std::size_t>(std::count_if(wrong.begin(), wrong.end(), [&](std::size_t c) {
+          return same_picture(lab.cases[c], reference.cases[c], reference.mistakes[m][c],
+                              drawings[c]);
+        }));
     if (alike > most) {
       most = alike;
       best = m;
