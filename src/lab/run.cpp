@@ -11,6 +11,7 @@
 #include <mutex>
 #include <semaphore>
 #include <thread>
+#include <utility>
 
 #include "core/error.h"
 #include "lab/report.h"
@@ -86,8 +87,12 @@ class Run {
         options_(options),
         jobs_(options.jobs),
         draw_([this, &draw](const Job& job, const auto& each) {
-          const Turn turn(jobs_);
-          return draw(job, each);
+          Turn turn(jobs_);
+          return draw(job, [&](std::size_t shot, Drawing drawing) {
+            // While its process ends, and this is compared, the next is drawn.
+            if (shot + 1 == job.shots.size()) turn.leave();
+            each(shot, std::move(drawing));
+          });
         }),
         results_(ours_.size()) {}
 
@@ -107,13 +112,17 @@ class Run {
   // One of the jobs, while it lives.
   class Turn {
    public:
-    explicit Turn(std::counting_semaphore<>& jobs) : jobs_(jobs) { jobs_.acquire(); }
-    ~Turn() { jobs_.release(); }
+    explicit Turn(std::counting_semaphore<>& jobs) : jobs_(&jobs) { jobs.acquire(); }
+    ~Turn() { leave(); }
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
 
+    void leave() {
+      if (auto* const jobs = std::exchange(jobs_, nullptr)) jobs->release();
+    }
+
    private:
-    std::counting_semaphore<>& jobs_;
+    std::counting_semaphore<>* jobs_;
   };
 
   void work() {
