@@ -134,6 +134,8 @@ void Studio::draw(Bench& bench, const Moment& moment) {
     recorder_.clear();
     graphics_.trace_into(&recorder_);
   }
+  const bool tries = bench.workshop.tries_next();
+  const int version = bench.workshop.versions();
   const double began = now_ms();
   const auto drawn = bench.workshop.draw(moment);
   graphics_.trace_into(nullptr);
@@ -142,7 +144,8 @@ void Studio::draw(Bench& bench, const Moment& moment) {
     return;
   }
   graphics_.gl.Finish.unrecorded();
-  bench.frame_ms = now_ms() - began;
+  // A version that failed took time, too, and is not what is shown.
+  if (!tries || bench.workshop.versions() != version) bench.frame_ms = now_ms() - began;
   if (focused) inspector_.finish(*bench.workshop.recipe());
   if (focused && std::exchange(screenshot_wanted_, false)) save_screenshot();
   if (focused && film_) film_picture_ = graphics_.frame.read_color();

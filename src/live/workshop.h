@@ -45,6 +45,8 @@ class Workshop {
   bool look();
   /// The next frame is tried with the version on the disk, changed or not.
   void reload() { wanted_ = true; }
+  /// Whether it is.
+  bool tries_next() const { return wanted_; }
 
   enum class Drawn {
     picture,  ///< the main frame holds a whole frame

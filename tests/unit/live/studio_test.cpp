@@ -324,6 +324,20 @@ TEST_F(StudioTest, a_slow_recipe_is_coarse_while_a_hand_moves_and_sharp_again_at
   EXPECT_EQ(studio->bench().picture.width(), size) << "the switch is off";
 }
 
+TEST_F(StudioTest, the_time_of_a_frame_is_not_that_of_a_version_that_failed) {
+  write("a.lua", filling(10));
+  const auto studio = this->studio({folder / "a.lua"});
+  for (int i = 0; i < 4; ++i) studio->step(frame);
+  studio->bench().frame_ms = -1;
+  write("a.lua", "error \"too late\"");
+  studio->step(frame);
+  ASSERT_TRUE(studio->bench().workshop.failure());
+  EXPECT_EQ(studio->bench().frame_ms, -1);
+  studio->touch();
+  studio->step(frame);
+  EXPECT_GT(studio->bench().frame_ms, 0);
+}
+
 TEST_F(StudioTest, the_truth_is_traced_when_the_hand_rests) {
   const auto studio = this->studio({stock("volumes_zfail")});
   studio->step(frame);
