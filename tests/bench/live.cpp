@@ -255,7 +255,7 @@ void print_memory(const std::string& recipe) {
 }  // namespace
 }  // namespace shadowlab::live
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace shadowlab::live;
   const auto wanted = [&](std::string_view part) { return argc < 2 || part == argv[1]; };
   if (wanted("latency")) {
@@ -279,4 +279,7 @@ int main(int argc, char** argv) {
                "1000");
     print_memory("projected_stencil");
   }
+} catch (const std::exception& problem) {
+  fmt::print(stderr, "bench_live: {}\n", problem.what());
+  return 3;
 }
