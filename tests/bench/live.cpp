@@ -215,8 +215,9 @@ void print_share(const std::string& recipe, const char* looking) {
   std::vector<Parts> quarters;
   session.draw_interface();  // shaders are compiled
   quarter(session, pass);
-  quarters.reserve(5);
-  while (quarters.size() < 5) quarters.push_back(quarter(session, pass));
+  const std::size_t count = recipe == "room" ? 3 : 15;  // it takes a quarter of a second a frame
+  quarters.reserve(count);
+  while (quarters.size() < count) quarters.push_back(quarter(session, pass));
   const auto median = [&](const auto& of) {
     std::vector<double> values;
     values.reserve(quarters.size());
