@@ -9,6 +9,13 @@
 namespace shadowlab::lab {
 namespace {
 
+// AddressSanitizer has a heap of its own.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+constexpr bool is_glibcs = true;
+#else
+constexpr bool is_glibcs = false;
+#endif
+
 constexpr std::size_t page = 4096, largest = std::size_t{4} << 20;
 constexpr std::size_t most_fillings = 4096;  // the list must not make holes of its own
 
@@ -24,7 +31,7 @@ void give_pages_back(void* block, std::size_t bytes) {
 }  // namespace
 
 FilledHeap::FilledHeap() {
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+  if (!is_glibcs) return;
   fillings_.reserve(most_fillings);
   ::malloc_trim(0);
   const std::uintptr_t end = address_of(::sbrk(0));
@@ -37,7 +44,6 @@ FilledHeap::FilledHeap() {
     }
   }
   ::malloc_trim(0);
-#endif
 }
 
 }  // namespace shadowlab::lab

@@ -14,8 +14,8 @@ namespace {
 TEST(FilledHeap, the_next_block_is_at_the_heaps_end) {
   // Blocks of the heap, however large; every second one is then a hole.
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  std::vector<std::unique_ptr<char[]>> blocks;
-  for (int i = 0; i < 64; ++i) blocks.push_back(std::make_unique<char[]>(100'000));
+  std::vector<std::unique_ptr<char[]>> blocks(64);
+  for (auto& block : blocks) block = std::make_unique<char[]>(100'000);
   for (std::size_t i = 0; i < blocks.size(); i += 2) blocks[i].reset();
   const auto end_before = reinterpret_cast<std::uintptr_t>(::sbrk(0));
   const auto place = [] {
