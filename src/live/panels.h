@@ -13,6 +13,10 @@ void draw_window(Studio& studio, View& view, const Interface& interface);
 
 /// Its parts.
 void draw_picture(Studio& studio, View& view, const Interface& interface, const Rectangle& area);
+/// Whether a pixel of the picture is large enough for its numbers, in the type that is set.
+bool shows_numbers(const PictureView& picture);
+/// Those of a picture of that size, over it.
+void draw_numbers(const Studio& studio, const View& view, int width, int height);
 /// The truth as draw_picture drew the picture, in another place.
 void draw_truth_beside(const Studio& studio, const View& view, const Rectangle& area);
 /// The mark of the light over everything in the picture's place; after draw_picture.
