@@ -185,7 +185,7 @@ TEST_F(Cli, run_explains_what_a_plan_saves) {
   const std::string maps =
       run("run shadow_map_cascades --scene room --size 64 --plan --explain").out;
   EXPECT_THAT(maps, testing::ContainsRegex("Map . of 4, 512 × 512 texels, is neither allocated nor "
-                                           "drawn, .*262144 pixels.*1048576 bytes of depth"));
+                                           "drawn, .*262144 pixels.*at least 786432 bytes"));
   EXPECT_THAT(maps,
               testing::ContainsRegex("Map . of 4, 512 × 512 texels: all 2 casters are drawn"));
   const auto passes = [](const std::string& text) {
