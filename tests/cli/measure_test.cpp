@@ -140,7 +140,7 @@ TEST_F(Measure, the_page_draws_itself_in_a_narrow_browser_and_answers_to_keys) {
     press("ArrowRight");
     const first = told();
     press("ArrowRight");
-    document.body.append(`keys: ${document.activeElement === plotted} ${first} then ${told()},`
+    document.body.append(`keys: ${document.activeElement === plotted} ${first} then ${told() === first ? "the same" : told().startsWith("shadow_map_cube") ? "another" : told()},`
       + ` ${document.querySelectorAll(".chosen img").length} pictures,`
       + ` ${document.documentElement.scrollWidth <= document.documentElement.clientWidth ? "fits" : "too wide"}`);
     </script>)");
@@ -151,8 +151,9 @@ TEST_F(Measure, the_page_draws_itself_in_a_narrow_browser_and_answers_to_keys) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("data-ready=\"yes\""));
   EXPECT_THAT(ended.out, HasSubstr("The Pareto front in tetra"));
-  EXPECT_THAT(ended.out, ContainsRegex("keys: true shadow_map_cube[ a-z=0-9]* then shadow_map_cube "
-                                       "size=[0-9]*, 3 pictures, fits"));
+  EXPECT_THAT(
+      ended.out,
+      ContainsRegex("keys: true shadow_map_cube[ a-z=0-9]* then another, 3 pictures, fits"));
 }
 
 }  // namespace
