@@ -149,6 +149,7 @@ Round time(gl::Graphics& graphics, const Job& job, double radius, double millise
   const auto recipe = recipe_of(graphics, job, radius, Shading::full);
   recipe->draw();  // what is made once
   graphics.gl.Finish.unrecorded();
+  const std::vector<std::string> rows = rows_of(recipe->passes()).names;
   const double end = now_ms() + milliseconds;
   do {
     const double began = now_ms();
@@ -157,13 +158,17 @@ Round time(gl::Graphics& graphics, const Job& job, double radius, double millise
     round.frames.push_back(now_ms() - began);
   } while (static_cast<int>(round.frames.size()) < most && now_ms() < end);
   recipe->start_timing_passes();
+  round.passes.resize(rows.size());
   for (std::size_t i = 0; i < (round.frames.size() + 2) / 3; ++i) {
     recipe->draw();
-    const Rows rows = rows_of(recipe->passes());
-    round.passes.resize(rows.names.size());
-    std::vector<double> sums(rows.names.size());
-    for (std::size_t k = 0; k < rows.row_of_pass.size(); ++k)
-      sums[rows.row_of_pass[k]] += recipe->passes()[k].milliseconds;
+    // Of a map that is kept the passes are missing now: what is left goes by its name.
+    std::vector<double> sums(rows.size());
+    for (const auto& pass : recipe->passes()) {
+      auto row = std::ranges::find(rows, pass.name);
+      if (row == rows.end()) row = std::ranges::find(rows, without_numbers(pass.name));
+      if (row != rows.end())
+        sums[static_cast<std::size_t>(row - rows.begin())] += pass.milliseconds;
+    }
     for (std::size_t row = 0; row < sums.size(); ++row) round.passes[row].push_back(sums[row]);
   }
   return round;

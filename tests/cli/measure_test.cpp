@@ -92,6 +92,24 @@ TEST_F(Measure, prints_its_figures_as_tables_of_a_run_that_is_there) {
   }
 }
 
+// The cube's faces are drawn in the first frame alone: its times are those of the scene's pass.
+TEST_F(Measure, times_of_passes_go_by_their_names_where_a_map_is_kept) {
+  ASSERT_EQ(run(small).code, 0);
+  const auto record = nlohmann::json::parse(text_of(report("measure.json")));
+  int faces = 0, scenes = 0;
+  for (const auto& point : record.at("points")) {
+    if (point.at("recipe") != "shadow_map_cube") continue;
+    for (const auto& pass : point.at("passes")) {
+      const bool face = pass.at("name").get<std::string>().starts_with("1. face");
+      const double ms = pass.at("ms").at("median").get<double>();
+      EXPECT_EQ(ms == 0, face) << pass.dump();
+      ++(face ? faces : scenes);
+    }
+  }
+  EXPECT_GT(faces, 0);
+  EXPECT_GT(scenes, 0);
+}
+
 TEST_F(Measure, refuses_to_mix_two_measurements) {
   ASSERT_EQ(run(small).code, 0);
   const std::string other = std::string(small) + " --radius 0.3";
