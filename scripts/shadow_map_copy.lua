@@ -59,27 +59,29 @@ function recipe.draw(r)
   if bias.read and not r.map then setup_map(r, size) end
 
   gl.Enable(gl.DEPTH_TEST)
-  if bias.read then pass("1. the shadow map: the scene as the light sees it, copied into the texture", function()
-    gl.ColorMask(false, false, false, false)
-    gl.BindTexture(gl.TEXTURE_2D, r.map)
-    if r.params.bias ~= "constant 0.01" then
-      gl.Enable(gl.POLYGON_OFFSET_FILL)
-      if r.params.bias == "offset 1,1" then gl.PolygonOffset(1, 1)
-      else gl.PolygonOffset(bias.factor, bias.units) end
-    end
-    for y = 0, size - 1, r.height do
-      for x = 0, size - 1, r.width do
-        gl.Viewport(-x, -y, size, size)
-        gl.Clear(gl.DEPTH_BUFFER_BIT)
-        scene.caster:draw(r.flat, { view = light_view, projection = light_projection })
-        gl.CopyTexSubImage2D(gl.TEXTURE_2D, 0, x, y, 0, 0,
-                             math.min(r.width, size - x), math.min(r.height, size - y))
+  if bias.read then
+    pass("1. the shadow map: the scene as the light sees it, copied into the texture", function()
+      gl.ColorMask(false, false, false, false)
+      gl.BindTexture(gl.TEXTURE_2D, r.map)
+      if r.params.bias ~= "constant 0.01" then
+        gl.Enable(gl.POLYGON_OFFSET_FILL)
+        if r.params.bias == "offset 1,1" then gl.PolygonOffset(1, 1)
+        else gl.PolygonOffset(bias.factor, bias.units) end
       end
-    end
-    gl.Disable(gl.POLYGON_OFFSET_FILL)
-    gl.ColorMask(true, true, true, true)
-    gl.Viewport(0, 0, r.width, r.height)
-  end) end
+      for y = 0, size - 1, r.height do
+        for x = 0, size - 1, r.width do
+          gl.Viewport(-x, -y, size, size)
+          gl.Clear(gl.DEPTH_BUFFER_BIT)
+          scene.caster:draw(r.flat, { view = light_view, projection = light_projection })
+          gl.CopyTexSubImage2D(gl.TEXTURE_2D, 0, x, y, 0, 0,
+                               math.min(r.width, size - x), math.min(r.height, size - y))
+        end
+      end
+      gl.Disable(gl.POLYGON_OFFSET_FILL)
+      gl.ColorMask(true, true, true, true)
+      gl.Viewport(0, 0, r.width, r.height)
+    end)
+  end
 
   pass("2. the scene, compared with the map", function()
     local camera = scene.camera

@@ -1,6 +1,6 @@
 #version 330 core
-// A point light's six faces in one cube map, or some of them as layers of an array. The vertex stage's matrix leads to the light's place with
-// the world's axes, so shadow_coord is the way from the light.
+// A point light's six faces in one cube map, or some of them as layers of an array. The vertex stage's matrix
+// leads to the light's place with the world's axes, so shadow_coord is the way from the light.
 #include "lighting.glsl"
 #include "receiver_plane.glsl"
 in vec4 shadow_coord;

@@ -1,4 +1,7 @@
 // shadow.*: the geometry of shadow maps.
+#include <array>
+#include <span>
+
 #include "lua/map_arguments.h"
 #include "lua/modules.h"
 #include "lua/planned.h"
@@ -30,9 +33,13 @@ struct FittedTo {
   double radius = 0;  // of the light
 };
 
+// The last is of one view alone: cube faces have the whole of their angle anyway.
+constexpr std::array<std::string_view, 3> view_options{"fit", "casters", "radius"};
+constexpr auto cube_options = std::span(view_options).first<2>();
+
 // { fit = "view" | "scene", casters = {object, …}, radius = metres } at `index`.
-FittedTo read_fit(lua_State* L, int index, const char* function, const SceneBox& scene) {
-  static constexpr std::string_view names[] = {"fit", "casters", "radius"};
+FittedTo read_fit(lua_State* L, int index, const char* function, const SceneBox& scene,
+                  std::span<const std::string_view> names) {
   bool in_view = true;
   double radius = 0;
   std::optional<std::vector<std::size_t>> casters;
@@ -52,13 +59,16 @@ FittedTo read_fit(lua_State* L, int index, const char* function, const SceneBox&
 int light_view(lua_State* L) {
   const auto light = light_argument(L, 1, "light_view");
   const SceneBox& scene = scene_argument(L, 2, "light_view");
-  const FittedTo fit = read_fit(L, 3, "light_view", scene);
+  const FittedTo fit = read_fit(L, 3, "light_view", scene, view_options);
   auto view = shadow::light_view(light, *scene, fit.content);
-  if (fit.radius != 0) view = shadow::with_room(view, fit.radius);
+  double reach = 0;
+  if (fit.radius != 0) {
+    view = shadow::with_room(view, fit.radius);
+    reach = shadow::edge_reach(view, fit.radius);
+  }
   // A map of the whole scene may be kept for what another camera sees.
   if (const auto& planned = Stage::of(L).planned; planned && fit.in_view)
-    planned->add_map(
-        {scene, light, view.view, view.projection, {}, shadow::edge_reach(view, fit.radius)});
+    planned->add_map({scene, light, view.view, view.projection, {}, reach});
   push(L, view.view);
   push(L, view.projection);
   lua_pushnumber(L, view.near);
@@ -103,7 +113,7 @@ int cube_faces(lua_State* L) {
 int cube_range(lua_State* L) {
   const auto light = light_argument(L, 1, "cube_range");
   const SceneBox& scene = scene_argument(L, 2, "cube_range");
-  const FittedTo fit = read_fit(L, 3, "cube_range", scene);
+  const FittedTo fit = read_fit(L, 3, "cube_range", scene, cube_options);
   if (const auto& planned = Stage::of(L).planned) planned->add_cube(scene, light, fit.in_view);
   const auto range = shadow::cube_range(light, *scene, fit.content);
   lua_pushnumber(L, range.near);
@@ -114,8 +124,8 @@ int cube_range(lua_State* L) {
 int faces_needed(lua_State* L) {
   const auto light = light_argument(L, 1, "faces_needed");
   const SceneBox& scene = scene_argument(L, 2, "faces_needed");
-  const auto needed =
-      shadow::faces_needed(light, *scene, read_fit(L, 3, "faces_needed", scene).content);
+  const auto needed = shadow::faces_needed(
+      light, *scene, read_fit(L, 3, "faces_needed", scene, cube_options).content);
   lua_newtable(L);
   for (std::size_t i = 0; i < needed.size(); ++i) {
     lua_pushboolean(L, needed[i]);

@@ -1,4 +1,5 @@
 // The light's view: what it holds, how tightly, and where there is none.
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -172,6 +173,29 @@ TEST(LightView, of_random_views_holds_every_shadowed_point_that_is_seen) {
     }
   }
   EXPECT_GT(tried, 1000);
+}
+
+// From the point on the window's rim at the farthest depth to the light's edge, on the other side
+// of its middle: where that passes the nearest depth the map with room ends, neither sooner nor
+// later.
+TEST(LightView, with_room_ends_where_the_light_s_edge_sees_the_rim) {
+  const auto scene = cube_over_floor();
+  const LightView middle = light_view({0, 7, 0, 1}, scene, whole_content(scene));
+  for (const double radius : {0.0, 0.1, 1.0}) {
+    const LightView view = with_room(middle, radius);
+    const double per_tangent = std::max(middle.projection[0][0], middle.projection[1][1]);
+    const double rim = middle.far / per_tangent;
+    const double passes = glm::mix(-radius, rim, middle.near / middle.far);
+    const double seen = glm::mix(radius, rim, middle.near / middle.far);
+    const double ends = std::max(view.projection[0][0], view.projection[1][1]) / middle.near;
+    EXPECT_NEAR(ends * seen, 1, 1e-12) << radius;  // some roundings
+    EXPECT_LE(ends * passes, 1) << "and the other side's is inside";
+    EXPECT_NEAR(ends * (seen - middle.near / per_tangent), edge_reach(view, radius), 1e-12);
+  }
+  EXPECT_THROW(with_room(middle, -1), InputError);
+  EXPECT_THROW(with_room(middle, NAN), InputError);
+  const LightView sun = light_view({0, 1, 0, 0}, scene, whole_content(scene));
+  EXPECT_THROW(with_room(sun, 0.1), InputError);
 }
 
 }  // namespace
