@@ -26,7 +26,8 @@ class Limits {
   ///  - an edge of a caster is within 1/128 of a pixel, as the eye or as the light sees it;
   ///  - the light is so near to a surface that a float does not tell which side it is on;
   ///  - along the sight, by the error of the depth that the technique counts against: toward the
-  ///    eye, and on receivers away from it;
+  ///    eye, and on receivers away from it; where two sides of volumes are so near, either may have
+  ///    been counted without the other;
   ///  - a side of a caster's volume is seen edge on, within 1/128 of a pixel;
   ///  - across the light's rays, where an edge of a caster is within a map's texels and filter;
   ///  - toward the light, by the offset that keeps a map's surfaces from shadowing themselves,

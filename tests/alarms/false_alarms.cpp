@@ -28,8 +28,8 @@ struct DriverSetting {
   std::string_view name, variable, value;
   context::Backend context = context::Backend::automatic;
 };
-// Not a width of 512: with it the program crashes inside malloc on a processor that has AVX-512,
-// `shadowlab run` too, and the cause is not isolated.
+// Not a width of 512: on a processor that has AVX-512 Mesa 22.3 makes constant vectors of which it
+// wrote half, and crashes at the first draw, in `shadowlab run` too.
 constexpr std::array settings{
     DriverSetting{"threads_0", "LP_NUM_THREADS", "0"},
     DriverSetting{"softpipe", "GALLIUM_DRIVER", "softpipe"},
