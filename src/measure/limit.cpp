@@ -111,23 +111,31 @@ class Places {
     const double distance = glm::distance(camera.eye, at_.point);
     const double reach =
         (4 + limit_.eye_units) * depth_step(at_.depth, camera.near) * distance / at_.depth;
-    double near = distance * (1 + 1e-12);
+    double near = distance * (1 + 1e-12) + rounding();
     for (int i = 0; i < 4 && near > 0 && near < distance + reach; ++i) {
       const auto ray = ray_camera(camera.eye, at_.point, near, distance + reach);
       const truth::Surface next = tracer_.surfaces(ray, 1, 1).surfaces[0];
       if (!next.hit()) return false;
       if ((tracer_.visibility(ray, scene_.lights[0], 1, 1, {}, 1).values[0] > 0.5f) == lit_)
         return true;
-      near = next.depth * (1 + 1e-12);
+      near = next.depth * (1 + 1e-12) + rounding();
     }
     return false;
+  }
+
+  // Of the surface's place, metres: far from the world's origin its coordinates are long.
+  double rounding() const {
+    const glm::dvec3 size = glm::max(glm::abs(at_.point), glm::abs(scene_.camera.eye));
+    return 0x1p-50 * std::max({size.x, size.y, size.z});
   }
 
   bool from_beside_the_light() const {
     if (light_rounding_ == 0) return false;
     const scene::Camera& camera = scene_.camera;
     const double distance = glm::distance(camera.eye, at_.point);
-    const auto ray = ray_camera(camera.eye, at_.point, distance * (1 - 1e-12), 2 * distance);
+    const auto ray =
+        ray_camera(camera.eye, at_.point, distance * (1 - 1e-12) - rounding(), 2 * distance);
+    if (!tracer_.surfaces(ray, 1, 1).surfaces[0].hit()) return false;  // else it would be lit
     for (int i = 0; i < 24; ++i) {
       scene::Light light = scene_.lights[0];
       const double step = std::ldexp(light_rounding_, -(i / 6));

@@ -11,11 +11,13 @@ bool before(glm::dvec3 a, glm::dvec3 b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Through a, b and the light. Computed from the same end whichever triangle asks.
+// Through a, b and the light. Computed from the same end whichever triangle asks; and from the edge,
+// not as a×b: seen from far away both are nearly the same, and what is left of their product is not
+// enough to tell where the plane is.
 glm::dvec4 plane_through(glm::dvec3 a, glm::dvec3 b, glm::dvec4 light) {
   const bool turned = before(b, a);
   if (turned) std::swap(a, b);
-  const glm::dvec3 n = light.w == 0 ? glm::cross(glm::dvec3(light), b - a) : glm::cross(a, b);
+  const glm::dvec3 n = glm::cross(light.w == 0 ? glm::dvec3(light) : a, b - a);
   const double length = glm::length(n);
   if (!(length > 0)) return glm::dvec4(0);
   const glm::dvec3 unit = n / length;

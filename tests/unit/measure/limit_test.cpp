@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace shadowlab::measure {
 namespace {
 
@@ -98,6 +100,44 @@ TEST_F(LimitsOfTwoCards, may_take_one_of_two_sides_and_not_the_other) {
       0.976);  // its shadow begins at s = .0211, before the first ends at .0525: all is dark
   EXPECT_FALSE(allowed({.eye_units = 0.04 / step}, 1.2, true));
   EXPECT_TRUE(allowed({.eye_units = 0.06 / step}, 1.2, true));
+}
+
+// A light on the card lights what is below or does not, by less than 2^-17 of the card's radius:
+// what a light below it lights. A world's coordinates may be so long that a surface's place is
+// rounded by more than a ray's own error.
+TEST_F(LimitsTest, of_a_light_on_a_sheet_are_the_same_a_million_units_away) {
+  glm::dmat4 below(1);
+  below[3] = {0.3, 0, 0, 1};
+  add(scene::box({3, 0.5, 3}), below, scene::Role::caster);
+  for (const double away : {0.0, 775053.0}) {
+    // Turned, so that no coordinate is exact.
+    glm::dmat4 world = glm::translate(glm::dmat4(1), {-away, 0.01 * away, 0.6 * away});
+    world = glm::rotate(world, 0.7, {1, 2, 3});
+    const auto placed = [&](double x, double y, double z) {
+      return glm::dvec3(world * glm::dvec4(x, y, z, 1));
+    };
+    scene::Scene there = scene;
+    for (scene::Object& object : there.objects) object.model = world * object.model;
+    there.camera.eye = placed(5.3, 3.1, 0.7);
+    there.camera.target = placed(0, 0, 0);
+    there.camera.up = {0, 1, 0};
+    const auto light_at = [&](double height) {
+      return scene::Light{.position = glm::dvec4(placed(0.1, height, 0.2), 1)};
+    };
+    there.lights[0] = light_at(1 + 1e-7);
+    const truth::Tracer traced(there);
+    const Limits limits(there, traced, {}, 24);
+    const auto seen = traced.surfaces(there.camera, 24, 24);
+    const auto above = traced.visibility(there.camera, there.lights[0], 24, 24);
+    const auto under = traced.visibility(there.camera, light_at(1 - 1e-7), 24, 24);
+    int lit_from_below = 0;
+    for (std::size_t i = 0; i < seen.surfaces.size(); ++i) {
+      if (seen.surfaces[i].object != 2 || above.values[i] == under.values[i]) continue;
+      EXPECT_TRUE(limits.allow(seen.surfaces[i], true)) << away << ", pixel " << i;
+      ++lit_from_below;
+    }
+    EXPECT_GT(lit_from_below, 50);
+  }
 }
 
 // In the plane through the light and the card's edge at x = 1 the eye sees that side of the card's

@@ -60,6 +60,34 @@ TEST(TriangleShadow, has_the_same_numbers_for_an_edge_that_two_triangles_share) 
   }
 }
 
+// Corners are relative to the light, each rounded by 2^-53 of the way to it. Some 16 roundings in
+// all move a plane by so much, and turn it the more the nearer its edge points at the light.
+TEST(TriangleShadow, of_a_far_light_is_off_by_no_more_than_its_corners_are) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> space(-1, 1);
+  const auto point = [&] { return glm::dvec3(space(random), space(random), space(random)); };
+  for (const double away : {1e2, 1e4, 1e6, 1e8}) {
+    for (int i = 0; i < 500; ++i) {
+      const glm::dvec3 light = away * glm::normalize(point());
+      const std::array corners{point() - light, point() - light, point() - light};
+      const TriangleShadow shadow = triangle_shadow(corners, at_origin);
+      if (shadow.own == glm::dvec4(0)) continue;
+      const glm::dvec3 n(shadow.own);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 a = corners[k], b = corners[(k + 1) % 3], c = corners[(k + 2) % 3];
+        const glm::dvec3 edge = glm::normalize(b - a), in = glm::cross(n, edge);
+        const glm::dvec3 side = glm::cross(edge, a / glm::length(a));
+        const double slack = 16 * 0x1p-53 * away / glm::length(side);
+        EXPECT_NEAR(value(shadow.edges[k], (a + b) * 0.5), 0, slack);
+        // The third corner's: the triangle's height over the edge, by how the planes are inclined.
+        const double height = std::abs(glm::dot(c - a, in));
+        const double sine = std::abs(glm::dot(in, side)) / glm::length(side);
+        EXPECT_NEAR(value(shadow.edges[k], c), height * sine, slack);
+      }
+    }
+  }
+}
+
 TEST(TriangleShadow, is_empty_for_a_triangle_without_area_or_with_the_light_in_its_plane) {
   const glm::dvec3 a(1, 1, 2), b(2, -1, 3);
   EXPECT_EQ(triangle_shadow({a, b, a}, at_origin).own, glm::dvec4(0));
