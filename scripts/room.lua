@@ -41,6 +41,8 @@ local recipe = {
 -- A light at infinity cannot be jittered.
 function recipe.holds(r) return r.params.light.w ~= 0 end
 
+recipe.points = lab_room.points
+
 function recipe.setup(r)
   r.gouraud = shader.load "gouraud"
   r.planar = shader.load "planar"
@@ -67,6 +69,8 @@ local function draw_wall(r, wall, casters, seen)
     gl.StencilFunc(gl.EQUAL, 1, 0xFFFFFFFF)
     gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
     gl.Disable(gl.DEPTH_TEST)
+    -- Nor clipped: under a near plane of 1e-5 a float does not tell whether they are before the far one.
+    gl.Enable(gl.DEPTH_CLAMP)
   else
     gl.Enable(gl.POLYGON_OFFSET_FILL)
     gl.PolygonOffset(-1, -1)
@@ -80,6 +84,7 @@ local function draw_wall(r, wall, casters, seen)
                             above = casters[i]:transpose() * above, color = wall.color * r.params.darkness })
   end
   gl.Disable(gl.CLIP_DISTANCE0)
+  gl.Disable(gl.DEPTH_CLAMP)
   gl.Disable(gl.STENCIL_TEST)
   gl.Disable(gl.POLYGON_OFFSET_FILL)
   gl.Enable(gl.DEPTH_TEST)

@@ -24,6 +24,7 @@ local recipe = {
   keys    = lecture.keys,
   sweep   = lecture.sweep,
   holds   = lecture.holds,
+  points  = lecture.points,  -- where their number does not grow
 }
 for name, parameter in pairs(lecture.params) do recipe.params[name] = parameter end
 
@@ -79,10 +80,12 @@ local function count(r, wall, point, outline, caster, seen)
   gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.KEEP, gl.INCR_WRAP)
   gl.StencilOpSeparate(gl.BACK, gl.KEEP, gl.KEEP, gl.DECR_WRAP)
   gl.Enable(gl.CLIP_DISTANCE0)
+  gl.Enable(gl.DEPTH_CLAMP)  -- as in room: depths are not asked
   outline:draw(r.planar, { view = seen.view, projection = seen.projection,
                            model = shadow.planar(wall.plane, point) * model,
                            above = model:transpose() * shadow.plane_toward(wall.plane, point) })
   gl.Disable(gl.CLIP_DISTANCE0)
+  gl.Disable(gl.DEPTH_CLAMP)
   -- Of a light in the caster's box the same number is missing everywhere; seen from behind, counts are turned.
   local missing = outline.offset * side_of(wall.plane, point) * side_of(wall.plane, vec4(r.scene.camera.eye, 1))
   gl.StencilOp(gl.KEEP, gl.KEEP, missing > 0 and gl.INCR_WRAP or gl.DECR_WRAP)

@@ -83,7 +83,8 @@ function recipe.draw(r)
   local light_view, light_projection = shadow.light_view(light, scene, { fit = r.params.fit })
 
   -- For a frame in which nobody reads it the grid is one cell, and empty.
-  local read = shadow.map_bias(light_projection, cells).read
+  local bias = shadow.map_bias(light_projection, cells)
+  local read = bias.read
   if r.read ~= read then r.read, r.shown = read, {} end
 
   if not still(r.shown, light_projection * light_view, scene.casters) then
@@ -129,7 +130,7 @@ function recipe.draw(r)
       view = view, projection = projection, light = light, ranges = 0, list = 1, triangles = 2,
       eye_to_grid = mat4.translate(-r.origin) * view:inverse(), map_high = map_high, map_low = map_low,
       ray_high = ray_high, ray_low = ray_low, count = r.params.count, first_own = 0,
-      depth_step = 8 / (camera.near * 2 ^ 24),
+      depth_step = 8 / (camera.near * 2 ^ 24), cell = bias.texel,
     }
     -- Their triangles are numbered through, as the grid has them.
     for _, object in ipairs(scene.objects) do

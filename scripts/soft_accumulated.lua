@@ -8,6 +8,7 @@
 local batches_of = require "parts.batches"
 local draw_lit = require "parts.draw_lit"
 local lamp = require "parts.lamp"
+local map_limit = require "parts.map_limit"
 local map_pass = require "parts.map_pass"
 local own_shadow = require "parts.own_shadow"
 local scene_depth = require "parts.scene_depth"
@@ -56,9 +57,17 @@ function recipe.holds(r)
   return true
 end
 
--- Three standard deviations of as many points at random, where half of the light is seen: no pattern is worse.
+recipe.points = points_of
+
+-- Of each point's hard shadow.
 function recipe.limit(r)
-  return { error = 1.5 / math.sqrt(r.params.samples) }
+  if r.params.technique == "volumes" then return scene_depth.limit() end
+  local maps = {}
+  for i, point in ipairs(points_of(r)) do
+    local _, projection = shadow.light_view(point, r.scene)
+    maps[i] = { projection = projection }
+  end
+  return map_limit(maps, r.params.size)
 end
 
 function recipe.setup(r)

@@ -29,6 +29,14 @@ local recipe = {
 -- The receivers must be rectangles in a plane y of their own space, as mesh.plane is.
 local function is_rectangle(receiver) return receiver.mesh.low.y == receiver.mesh.high.y end
 
+-- Its corner in the world, and the sides from there.
+local function parallelogram_of(receiver)
+  local low, high = receiver.mesh.low, receiver.mesh.high
+  local to_world = function(x, z) return receiver.model:transform_point(vec3(x, low.y, z)) end
+  local corner = to_world(low.x, low.z)
+  return corner, to_world(high.x, low.z) - corner, to_world(low.x, high.z) - corner
+end
+
 function recipe.holds(r)
   for _, receiver in ipairs(r.scene.receivers) do
     if not is_rectangle(receiver) then return false end
@@ -36,10 +44,25 @@ function recipe.holds(r)
   return r.params.light.w ~= 0
 end
 
+function recipe.points(r)
+  local params = r.params
+  return shadow.samples(lamp(params.light, params.shape, params.radius), params.samples, params.pattern, params.seed)
+end
+
+-- A texel's bilinear filter reads up to one texel to each side: so far the shadow may be off on its receiver.
+function recipe.limit(r)
+  local texel = 0
+  for _, receiver in ipairs(r.scene.receivers) do
+    local _, ex, ey = parallelogram_of(receiver)
+    texel = math.max(texel, (ex:length() + ey:length()) / r.params.size)
+  end
+  return { on_receiver = texel }
+end
+
 function recipe.setup(r)
   local size = r.params.size
   r.phong = shader.load "phong"
-  r.flat = shader.load "flat"
+  r.caster = shader.load "soft_caster"
   r.receiver = shader.load "soft_receiver"
   -- One depth buffer serves all: they are drawn one after the other.
   r.depth = gl.GenRenderbuffers(1)
@@ -48,9 +71,7 @@ function recipe.setup(r)
   r.shadows = {}
   for i, receiver in ipairs(r.scene.receivers) do
     if not is_rectangle(receiver) then error(receiver.name .. " is not a rectangle in a plane y of its own") end
-    local low, high = receiver.mesh.low, receiver.mesh.high
-    local to_world = function(x, z) return receiver.model:transform_point(vec3(x, low.y, z)) end
-    local corner = to_world(low.x, low.z)
+    local corner, ex, ey = parallelogram_of(receiver)
     local frame, texture = fbo.color(size, size, gl.R32F)
     gl.BindFramebuffer(gl.FRAMEBUFFER, frame)
     gl.FramebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, r.depth)
@@ -59,8 +80,7 @@ function recipe.setup(r)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE)
     gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE)
-    r.shadows[i] = { frame = frame, texture = texture, corner = corner, ex = to_world(high.x, low.z) - corner,
-                     ey = to_world(low.x, high.z) - corner }
+    r.shadows[i] = { frame = frame, texture = texture, corner = corner, ex = ex, ey = ey }
   end
   gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
 end
@@ -75,6 +95,9 @@ local function draw_shadows(r, receiver, shadows, points)
   gl.Enable(gl.DEPTH_TEST)
   gl.Enable(gl.BLEND)
   gl.BlendFunc(gl.ONE, gl.ONE)
+  -- A caster may be at the light: nothing is cut off before it, and by its plane what is behind the receiver.
+  gl.Enable(gl.DEPTH_CLAMP)
+  gl.Enable(gl.CLIP_DISTANCE0)
   for i, point in ipairs(points) do
     -- A point in the receiver's plane throws nothing onto it.
     if math.abs(receiver.plane:dot(point)) > 1e-9 then
@@ -82,13 +105,17 @@ local function draw_shadows(r, receiver, shadows, points)
       -- texel adds nothing, and the next point's does, without clearing in between.
       local depth = 1 - i / (#points + 1)
       gl.DepthRange(depth, depth)
-      r.scene.caster:draw(r.flat, {
-        view = shadow.parallelogram(shadows.corner, shadows.ex, shadows.ey, point), projection = to_clip,
-        color = vec3(1 / #points),
-      })
+      local view = shadow.parallelogram(shadows.corner, shadows.ex, shadows.ey, point)
+      local above = shadow.plane_toward(receiver.plane, point)
+      for _, caster in ipairs(r.scene.casters) do
+        caster:draw(r.caster, { view = view, projection = to_clip, above = caster.model:transpose() * above,
+                                color = vec3(1 / #points) })
+      end
     end
   end
   gl.DepthRange(0, 1)
+  gl.Disable(gl.CLIP_DISTANCE0)
+  gl.Disable(gl.DEPTH_CLAMP)
   gl.Disable(gl.BLEND)
   gl.BindFramebuffer(gl.FRAMEBUFFER, 0)
   gl.Viewport(0, 0, r.width, r.height)
@@ -96,7 +123,7 @@ end
 
 function recipe.draw(r)
   local scene, params, light = r.scene, r.params, r.params.light
-  local points = shadow.samples(lamp(light, params.shape, params.radius), params.samples, params.pattern, params.seed)
+  local points = recipe.points(r)
 
   for i, receiver in ipairs(scene.receivers) do
     pass("the shadow's texture, " .. receiver.name, function()

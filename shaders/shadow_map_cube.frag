@@ -30,7 +30,10 @@ void main() {
   // A face's depth is measured along its axis, which is the largest of the three.
   vec3 sizes = abs(way);
   float along = max(max(sizes.x, sizes.y), sizes.z);
-  float depth = far * (along - near) / ((far - near) * along);
+  // Floats tell a place by some 10 roundings of 2^-24 of its way from the eye, which may be far longer than
+  // that from the light: so it is taken for nearer.
+  float nearer = along - exp2(-20.0) * length(eye_position);
+  float depth = far * (nearer - near) / ((far - near) * nearer);
   // On the face as a map: s and t are the two other axes over this one, and p is the depth.
   mat3 to_face = sizes.x == along ? mat3(0, 0, 1, 1, 0, 0, 0, 1, 0)
                : sizes.y == along ? mat3(0, 1, 0, 0, 0, 1, 1, 0, 0) : mat3(1, 0, 0, 0, 1, 0, 0, 0, 1);

@@ -15,6 +15,7 @@ uniform int first_own;         // the number of the object's first triangle
 uniform mat4 eye_to_grid;      // eye space to the grid's, world axes around its origin
 uniform mat4 map_high, map_low;  // from there to the map's (s, t, p, q)
 uniform vec3 ray_high[4], ray_low[4];  // the eye; the way to the pixel at 0, 0; to the next right, and up
+uniform float cell;            // its side, over the distance from a point light: metres a metre, else metres
 uniform float depth_step;      // over the distance squared: what depth may not tell apart
 uniform bool count = false;    // shows how many triangles are tested instead: 255 for white
 
@@ -148,11 +149,15 @@ void main() {
     answer = of_eye < -slack ? DARK : of_eye < slack ? DOUBT : LIT;
   }
   vec4 stpq = map_high * vec4(p, 1.0);
-  vec2 place = stpq.st / stpq.q;
-  bool on_map = stpq.q > 0.0 && all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)));
+  vec2 cells = vec2(textureSize(ranges, 0)), place = stpq.st / stpq.q * cells;
+  // As far as floats tell; from a light far away they may name another cell.
+  float unsure = rough * (size_of(p) + size_of(e)) / (stpq.q * cell);
+  bool on_map = stpq.q > 0.0 && all(greaterThan(place, vec2(-unsure))) && all(lessThan(place, cells + unsure));
   if (answer != DARK && on_map) {
-    ivec2 range = ivec2(texelFetch(ranges, ivec2(place * vec2(textureSize(ranges, 0))), 0).xy);
+    ivec2 range = ivec2(texelFetch(ranges, ivec2(clamp(place, vec2(0.0), cells - 1.0)), 0).xy);
     tested = range.y;
+    vec2 in_cell = fract(place);
+    if (any(lessThan(min(in_cell, 1.0 - in_cell), vec2(unsure)))) answer = DOUBT;
     for (int i = 0; i < range.y && answer != DARK; ++i) {
       int triangle = listed(range.x + i);
       if (triangle != own) answer = max(answer, rough_answer(triangle, p, off, e));

@@ -26,7 +26,8 @@ struct StressCommand {
 
 // Those that claim to be right wherever they hold, but for a limit that they state. Not
 // volumes_zpass: its two draws with culled faces lose a count where rounding turns a sliver round;
-// volumes_two_sided is the same without that.
+// volumes_two_sided is the same without that. Of soft shadows those that average hard ones, each of
+// which is right.
 const std::vector<std::string> searched_recipes{"volumes_zfail",
                                                 "volumes_auto",
                                                 "volumes_two_sided",
@@ -40,7 +41,12 @@ const std::vector<std::string> searched_recipes{"volumes_zfail",
                                                 "shadow_map_pcf",
                                                 "shadow_map_cube",
                                                 "shadow_map_cascades",
-                                                "shadow_map_stable"};
+                                                "shadow_map_stable",
+                                                "room",
+                                                "room_fast",
+                                                "soft_accumulated",
+                                                "soft_accumulated:technique=maps",
+                                                "soft_parallelogram:samples=16"};
 
 // NAME or NAME:PARAMETER=VALUE[:…].
 measure::Searched searched(const std::string& words) {

@@ -11,6 +11,12 @@
 
 namespace shadowlab::measure {
 
+struct LitScene;
+
+/// Whether the light is in the plane of what is seen. There lit and dark are a tie, which each
+/// technique decides as it likes, and Lambert's cosine is 0: nobody sees which.
+bool grazed(const truth::Surface& surface, glm::dvec4 light);
+
 /// What the techniques may do in one scene, under its first light. Keeps a reference to both.
 class Limits {
  public:
@@ -30,13 +36,17 @@ class Limits {
   ///    been counted without the other;
   ///  - a side of a caster's volume is seen edge on, within 1/128 of a pixel;
   ///  - across the light's rays, where an edge of a caster is within a map's texels and filter;
+  ///  - on the surface itself, within what its own texture's filter reads;
   ///  - toward the light, by the offset that keeps a map's surfaces from shadowing themselves,
   ///    which grows with the slopes of the caster and of the surface.
   bool allow(const truth::Surface& surface, bool lit) const;
 
+  /// Whether a caster may be drawn in place of `surface`: it is there too, or so near behind it
+  /// that depth cannot tell them apart.
+  bool allow_a_caster(const truth::Surface& surface) const;
+
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<LitScene> scene_;
 };
 
 /// How many pixels of `drawn` are on the wrong side of the truth, at none of its edges, and beyond

@@ -8,19 +8,13 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "measure/average.h"
 #include "measure/claim.h"
 #include "measure/limit.h"
 #include "truth/comparison.h"
 
 namespace shadowlab::measure {
 namespace {
-
-// Whether the light is in the plane of what is seen. There lit and dark are a tie, which each
-// technique decides as it likes, and Lambert's cosine is 0: nobody sees which.
-bool grazed(const truth::Surface& surface, glm::dvec4 light) {
-  const glm::dvec3 toward = glm::dvec3(light) - surface.point * light.w;
-  return !(std::abs(glm::dot(surface.normal, glm::normalize(toward))) >= 1e-6);
-}
 
 recipe::Options drawing_visibility() {
   recipe::Options options;
@@ -31,11 +25,17 @@ recipe::Options drawing_visibility() {
 void set_up(recipe::Recipe& recipe, const Searched& searched, const Trial& trial,
             const scene::Scene& scene) {
   for (const auto& [name, value] : searched.settings) recipe.set(name, value);
+  // Of soft shadows it is the number of points: that changes nothing but the time.
+  const bool sweeps = trial.swept && !claim_of(recipe, searched.file).soft();
   for (const recipe::Swept& swept : recipe.description().sweep) {
-    if (!trial.swept) break;
+    if (!sweeps) break;
     const auto at =
         static_cast<std::size_t>(*trial.swept * static_cast<double>(swept.values.size()));
     recipe.set(swept.name, swept.values[std::min(at, swept.values.size() - 1)]);
+  }
+  for (const auto& [name, parameter] : recipe.parameters()) {
+    if (name == "radius" && !searched.sets(name))
+      recipe.set(name, fmt::format("{}", std::min(0.25 * trial.unit, 1.0)));
   }
   recipe.set_light(scene.lights[0].position);
   recipe.set_scene(scene);
@@ -79,6 +79,11 @@ std::string Searched::name() const {
   return name;
 }
 
+bool Searched::sets(const std::string& parameter) const {
+  return std::ranges::find(settings, parameter, &std::pair<std::string, std::string>::first) !=
+         settings.end();
+}
+
 namespace {
 
 // Hard shadows: what is on the wrong side, beyond edges and the limit.
@@ -91,30 +96,6 @@ std::size_t wrong_hard(const scene::Scene& scene, const truth::Tracer& tracer,
   if (truth::compare(drawn, truth, edges).wrong == 0) return 0;
   edges = tracer.edge_mask(scene.camera, scene.lights[0], drawn.width, drawn.height);
   return beyond_limit(scene, tracer, limit, drawn, truth, edges, surfaces);
-}
-
-// Soft ones: what is off by more than the limit's error from all that the truth is within a pixel.
-std::size_t wrong_soft(const recipe::Limit& limit, const image::FloatImage& drawn,
-                       const image::FloatImage& truth) {
-  std::size_t wrong = 0;
-  for (int y = 0; y < drawn.height; ++y) {
-    for (int x = 0; x < drawn.width; ++x) {
-      const auto at = [&](int u, int v) {
-        return static_cast<std::size_t>(v) * static_cast<std::size_t>(drawn.width) +
-               static_cast<std::size_t>(u);
-      };
-      float low = 1, high = 0;
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, drawn.height - 1); ++v) {
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, drawn.width - 1); ++u) {
-          low = std::min(low, truth.values[at(u, v)]);
-          high = std::max(high, truth.values[at(u, v)]);
-        }
-      }
-      const double value = drawn.values[at(x, y)];
-      wrong += value < low - limit.error || value > high + limit.error;
-    }
-  }
-  return wrong;
 }
 
 }  // namespace
@@ -130,11 +111,17 @@ std::optional<std::size_t> wrong_beyond_limit(gl::Graphics& graphics, const Sear
   image::FloatImage drawn = visibility_of(graphics.frame.read_color());
   const truth::Tracer tracer(scene);
   const Claim claim = claim_of(recipe, searched.file);
-  scene::Light& light = scene.lights[0];
-  if (claim.soft() && light.position.w != 0) {
-    light.shape = scene::Light::Shape::sphere;
-    light.radius = *claim.radius;
+  if (claim.soft()) {
+    const auto points = recipe.points();
+    if (points.empty()) {
+      throw InputError(
+          fmt::format("{} says of no points that it averages them (function points), so that "
+                      "nothing exact can be said of its soft shadows",
+                      searched.name()));
+    }
+    return wrong_average(scene, tracer, recipe.limit(), claim, points, drawn);
   }
+  const scene::Light& light = scene.lights[0];
   const auto truth = tracer.visibility(scene.camera, light, width, height);
   const auto surfaces = tracer.surfaces(scene.camera, width, height);
   for (std::size_t i = 0; i < drawn.values.size(); ++i) {
@@ -142,7 +129,6 @@ std::optional<std::size_t> wrong_beyond_limit(gl::Graphics& graphics, const Sear
     if (!claim.covers(scene, surface) || grazed(surface, light.position))
       drawn.values[i] = truth.values[i];
   }
-  if (claim.soft()) return wrong_soft(recipe.limit(), drawn, truth);
   return wrong_hard(scene, tracer, recipe.limit(), drawn, truth, surfaces);
 }
 
@@ -179,6 +165,11 @@ SearchResult search(const SearchOptions& options,
       const Outcome outcome = outcome_of(screens, recipe, trial, departure);
       result.pictures += outcome != Outcome::outside;
       if (outcome == Outcome::outside || outcome == Outcome::right) continue;
+      // What fails in every world is said once.
+      const auto said = [&](const Departure& other) {
+        return other.recipe == departure.recipe && other.error == departure.error;
+      };
+      if (outcome == Outcome::fails && std::ranges::any_of(result.departures, said)) continue;
       departure.trial = shrunk(trial, [&](const Trial& next) {
         Departure how{};
         return outcome_of(screens, recipe, next, how) == outcome;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "core/clock.h"
 #include "core/error.h"
@@ -133,43 +132,6 @@ void Recipe::set_model(std::string_view name, const glm::dmat4& model) {
     }
   }
   throw InputError(fmt::format("the scene of {} has no object {}", file_.string(), name));
-}
-
-bool Recipe::holds() {
-  bool holds = true;
-  state_.restart_budget();
-  state_.run([&](lua_State* L) {
-    if (!push_function("holds")) return;
-    push_context(0);
-    lua_call(L, 1, 1);
-    holds = lua_toboolean(L, -1);
-  });
-  return holds;
-}
-
-Limit Recipe::limit() {
-  Limit limit;
-  const std::map<std::string_view, double*> fields{
-      {"eye_units", &limit.eye_units},     {"across", &limit.across},
-      {"light_units", &limit.light_units}, {"light_near", &limit.light_near},
-      {"light_range", &limit.light_range}, {"error", &limit.error}};
-  state_.restart_budget();
-  state_.run([&](lua_State* L) {
-    if (!push_function("limit")) return;
-    push_context(0);
-    lua_call(L, 1, 1);
-    if (lua_type(L, -1) != LUA_TTABLE)
-      throw InputError(fmt::format("{}: limit gives no table", file_.string()));
-    for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
-      const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
-      const auto field = fields.find(name);
-      if (field == fields.end() || lua_type(L, -1) != LUA_TNUMBER) {
-        throw InputError(fmt::format("{}: limit gives no number \"{}\"", file_.string(), name));
-      }
-      *field->second = lua_tonumber(L, -1);
-    }
-  });
-  return limit;
 }
 
 // r, with this frame's parameters, size and time.

@@ -59,10 +59,10 @@ struct PassTime {
 struct Limit {
   double eye_units = 0;  ///< along the sight: steps of the 24-bit depth buffer
   double across = 0;  ///< across the light's rays: metres a metre from a point light, else metres
+  double on_receiver = 0;  ///< along the surface itself, metres
   double light_units = 0;  ///< toward the light: steps of the map's depth,
   double light_near = 0;   ///< whose near plane this is (metres; 0: a light at infinity),
   double light_range = 0;  ///< and for a light at infinity the range of depths, metres
-  double error = 0;        ///< of a soft visibility: the most that a pixel may be off
 };
 
 struct Options {
@@ -126,6 +126,10 @@ class Recipe : private lua::PassListener {
   /// How far its technique may depart from the truth for this camera and light, by its own account.
   /// Throws InputError for a field that is none.
   Limit limit();
+
+  /// The light's points whose hard shadows are averaged for its soft one, for this light: what the
+  /// recipe's function `points` gives; none without one. Throws InputError for what is no light.
+  std::vector<glm::dvec4> points();
 
   /// One frame at `time` seconds, into the main frame: GL's defaults, setup if it is the first,
   /// draw. Throws InputError where the recipe fails; the frame is then incomplete.

@@ -11,9 +11,9 @@ bool before(glm::dvec3 a, glm::dvec3 b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Through a, b and the light. Computed from the same end whichever triangle asks; and from the edge,
-// not as a×b: seen from far away both are nearly the same, and what is left of their product is not
-// enough to tell where the plane is.
+// Through a, b and the light. Computed from the same end whichever triangle asks; and from the
+// edge, not as a×b: seen from far away both are nearly the same, and what is left of their product
+// is not enough to tell where the plane is.
 glm::dvec4 plane_through(glm::dvec3 a, glm::dvec3 b, glm::dvec4 light) {
   const bool turned = before(b, a);
   if (turned) std::swap(a, b);

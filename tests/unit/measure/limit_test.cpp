@@ -154,6 +154,18 @@ TEST_F(LimitsTest, may_take_a_side_that_is_seen_edge_on_for_before_or_behind) {
   EXPECT_FALSE(dark_seen_from(1.13)) << "1/128 of a pixel is 4e-4 m";
 }
 
+// The card's shadow ends at x = 1.25. A post that stands in the floor has a foot, which is no edge.
+TEST_F(LimitsTest, on_the_receiver_reach_as_far_as_its_texture_s_filter) {
+  EXPECT_FALSE(allowed({.on_receiver = 0.045}, 1.2, true));
+  EXPECT_TRUE(allowed({.on_receiver = 0.055}, 1.2, true));
+  glm::dmat4 stands(1);
+  stands[3] = {4, 0, 0, 1};
+  add(scene::box({1, 2, 1}), stands, scene::Role::caster);
+  tracer = std::make_unique<truth::Tracer>(scene);
+  EXPECT_FALSE(allowed({.on_receiver = 0.045}, 3.45, false));
+  EXPECT_TRUE(allowed({.on_receiver = 0.055}, 3.45, false));
+}
+
 TEST_F(LimitsTest, toward_the_light_reach_as_far_as_the_map_s_depths) {
   // The card is one metre before the floor, five from the light.
   const double step = 25 / (1 * 0x1p24);

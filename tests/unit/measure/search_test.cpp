@@ -78,5 +78,18 @@ TEST(Search, finds_the_shadow_that_a_recipe_does_not_draw_and_makes_it_simple) {
   EXPECT_EQ(found[0].error, "");
 }
 
+TEST(Search, says_once_what_fails_in_every_world) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "fails.lua";
+  std::ofstream(file) << R"lua(
+    return { scene = "tetra", truth = "hard", params = { light = param.point(2, 4, 1) },
+             draw = function() error "no" end })lua";
+  SearchOptions options;
+  options.recipes = {{file, {}}};
+  options.trials = 3;
+  const auto found = search(options, {}, {}).departures;
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].error.find("no"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace shadowlab::measure

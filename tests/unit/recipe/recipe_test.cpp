@@ -6,6 +6,7 @@ namespace {
 
 using RecipeErrors = RecipeTest;
 using RecipeParameters = RecipeTest;
+using RecipePoints = RecipeTest;
 
 // ---- errors
 
@@ -241,6 +242,29 @@ TEST_F(RecipeParameters, bound_its_error_by_its_function_limit) {
   } catch (const InputError& problem) {
     EXPECT_NE(std::string(problem.what()).find("limit gives no number \"acros\""),
               std::string::npos);
+  }
+}
+
+TEST_F(RecipePoints, are_what_its_function_points_gives) {
+  const RecipeFile plain("return { draw = print }");
+  EXPECT_TRUE(Recipe(graphics(), plain.path()).points().empty());
+  const RecipeFile averages(
+      "local recipe = { params = { light = param.point(1, 2, 3) }, draw = print }\n"
+      "function recipe.points(r) return { r.params.light, vec4(4, 5, 6, 1) } end\n"
+      "return recipe");
+  Recipe recipe(graphics(), averages.path());
+  EXPECT_EQ(recipe.points(), (std::vector<glm::dvec4>{{1, 2, 3, 1}, {4, 5, 6, 1}}));
+  for (const auto& [given, words] :
+       {std::pair{"7", "points gives no list of points"},
+        std::pair{"{ vec4(1, 2, 3, 1), 'x' }", "a point of the recipe's points"}}) {
+    const RecipeFile wrong(
+        fmt::format("return {{ points = function() return {} end, draw = print }}", given));
+    try {
+      Recipe(graphics(), wrong.path()).points();
+      FAIL() << given;
+    } catch (const InputError& problem) {
+      EXPECT_NE(std::string(problem.what()).find(words), std::string::npos) << problem.what();
+    }
   }
 }
 
