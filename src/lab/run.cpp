@@ -238,6 +238,7 @@ std::vector<Result> run(const Lab& lab, const Reference& reference,
   take_up(options.out, {lab.name, lab.title, lab.digest, lab.seed, options.shard,
                         options.grade.language, options.grade.hidden, reference.driver});
   remove_halves(options.out);
+  remove_halves(options.out / "expected");
   write_expected(lab, reference, options.out / "expected", options.grade.hidden);
   return Run(lab, reference, std::move(ours), draw, options).all();
 }

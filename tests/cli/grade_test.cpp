@@ -182,10 +182,12 @@ TEST_F(GradeCli, a_run_is_taken_up_where_it_was_left) {
   const std::string bob = result("bob")["cases"].dump();
   fs::remove(folder / "graded/submissions/bob/result.json");
   write("graded/submissions/bob/.result.json.1-0.tmp", "{");
+  write("graded/expected/.case-1-expected.png.1-1.tmp", "half of it");
   EXPECT_EQ(run("grade lab in").code, 1);
   EXPECT_EQ(fs::last_write_time(folder / "graded/submissions/ada/result.json"), when);
   EXPECT_EQ(result("bob")["score"], 1);
   EXPECT_FALSE(has("graded/submissions/bob/.result.json.1-0.tmp"));
+  EXPECT_FALSE(has("graded/expected/.case-1-expected.png.1-1.tmp"));
   write("in/ada.lua", painting("0.25"));
   run("grade lab in");
   EXPECT_EQ(result("ada")["score"], 1) << "what is handed in anew is graded anew";

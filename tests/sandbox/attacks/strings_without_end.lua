@@ -1,6 +1,7 @@
 -- Strings until memory ends.
 -- expect: recipe error
 -- says: memory
+-- memory: 16
 return {
   draw = function(r)
     local s = "x"
