@@ -50,6 +50,12 @@ function given.wrong(picture, truth, one_in)
   return wrong, beyond, 2 + edges // (one_in or 50)
 end
 
+-- Of those that differ the ones beside no edge of the truth.
+function given.beyond(picture, truth)
+  local _, beyond = given.wrong(picture, truth)
+  return beyond
+end
+
 function given.expect_same(picture, truth, words, one_in)
   local wrong, beyond, allowed = given.wrong(picture, truth, one_in)
   expect(beyond == 0, words .. ": " .. beyond .. " pixels are wrong beyond an edge")

@@ -38,7 +38,8 @@ class Limits {
   ///  - across the light's rays, where an edge of a caster is within a map's texels and filter;
   ///  - on the surface itself, within what its own texture's filter reads;
   ///  - toward the light, by the offset that keeps a map's surfaces from shadowing themselves,
-  ///    which grows with the slopes of the caster and of the surface.
+  ///    which grows with the slopes of the caster and of the surface, and by 2^-20 of the distance
+  ///    from the eye, by which floats tell a place.
   bool allow(const truth::Surface& surface, bool lit) const;
 
   /// Whether a caster may be drawn in place of `surface`: it is there too, or so near behind it

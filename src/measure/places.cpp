@@ -75,14 +75,16 @@ class Places {
  private:
   bool is_drawn(glm::dvec3 place) const { return tracer_.blocked(place, light_) != lit_; }
 
-  // How far behind the surface, metres along the sight, another may be that is drawn for it: each
-  // pixel's depth is rounded, and interpolated with as much error again; and what is counted
-  // against is moved on purpose.
-  double depth_error() const {
+  // So many steps of the depth buffer at the surface, metres along the sight.
+  double steps(double units) const {
     const scene::Camera& camera = scene_.camera;
-    return (4 + limit_.eye_units) * depth_step(at_.depth, camera.near) *
-           glm::distance(camera.eye, at_.point) / at_.depth;
+    return units * depth_step(at_.depth, camera.near) * glm::distance(camera.eye, at_.point) /
+           at_.depth;
   }
+
+  // How far behind the surface another may be that is drawn for it: each pixel's depth is rounded,
+  // and interpolated with as much error again; and what is counted against is moved on purpose.
+  double depth_error() const { return steps(4 + limit_.eye_units); }
 
   bool hidden_behind() const {
     const scene::Camera& camera = scene_.camera;
@@ -163,8 +165,7 @@ class Places {
     const scene::Camera& camera = scene_.camera;
     const double distance = glm::distance(camera.eye, at_.point);
     const glm::dvec3 back = (camera.eye - at_.point) / distance;
-    const double reach = std::min(
-        limit_.eye_units * depth_step(at_.depth, camera.near) * distance / at_.depth, distance);
+    const double reach = std::min(steps(limit_.eye_units), distance);
     return is_drawn_between(at_.point, at_.point + back * reach) ||
            (!scene_.objects[at_.object].casts() &&
             is_drawn_between(at_.point, at_.point - back * reach));

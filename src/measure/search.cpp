@@ -24,6 +24,10 @@ recipe::Options drawing_visibility() {
 
 void set_up(recipe::Recipe& recipe, const Searched& searched, const Trial& trial,
             const scene::Scene& scene) {
+  // A lamp is as large as the world makes it, where no setting says another radius.
+  for (const auto& [name, parameter] : recipe.parameters()) {
+    if (name == "radius") recipe.set(name, fmt::format("{}", std::min(0.25 * trial.unit, 1.0)));
+  }
   for (const auto& [name, value] : searched.settings) recipe.set(name, value);
   // Of soft shadows it is the number of points: that changes nothing but the time.
   const bool sweeps = trial.swept && !claim_of(recipe, searched.file).soft();
@@ -32,10 +36,6 @@ void set_up(recipe::Recipe& recipe, const Searched& searched, const Trial& trial
     const auto at =
         static_cast<std::size_t>(*trial.swept * static_cast<double>(swept.values.size()));
     recipe.set(swept.name, swept.values[std::min(at, swept.values.size() - 1)]);
-  }
-  for (const auto& [name, parameter] : recipe.parameters()) {
-    if (name == "radius" && !searched.sets(name))
-      recipe.set(name, fmt::format("{}", std::min(0.25 * trial.unit, 1.0)));
   }
   recipe.set_light(scene.lights[0].position);
   recipe.set_scene(scene);
@@ -77,11 +77,6 @@ std::string Searched::name() const {
   std::string name = file.stem().string();
   for (const auto& [parameter, value] : settings) name += fmt::format(" {}={}", parameter, value);
   return name;
-}
-
-bool Searched::sets(const std::string& parameter) const {
-  return std::ranges::find(settings, parameter, &std::pair<std::string, std::string>::first) !=
-         settings.end();
 }
 
 namespace {

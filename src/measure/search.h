@@ -21,7 +21,6 @@ struct Searched {
   std::vector<std::pair<std::string, std::string>> settings;
 
   std::string name() const;
-  bool sets(const std::string& parameter) const;
 };
 
 struct Departure {

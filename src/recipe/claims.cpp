@@ -9,15 +9,21 @@
 
 namespace shadowlab::recipe {
 
-bool Recipe::holds() {
-  bool holds = true;
+// Calls the recipe's function of that name, if it has one, and lets `take` have what it gives, on
+// top of the stack.
+void Recipe::ask(const char* name, const std::function<void(lua_State*)>& take) {
   state_.restart_budget();
   state_.run([&](lua_State* L) {
-    if (!push_function("holds")) return;
+    if (!push_function(name)) return;
     push_context(0);
     lua_call(L, 1, 1);
-    holds = lua_toboolean(L, -1);
+    take(L);
   });
+}
+
+bool Recipe::holds() {
+  bool holds = true;
+  ask("holds", [&](lua_State* L) { holds = lua_toboolean(L, -1); });
   return holds;
 }
 
@@ -27,11 +33,7 @@ Limit Recipe::limit() {
       {"eye_units", &limit.eye_units},     {"across", &limit.across},
       {"on_receiver", &limit.on_receiver}, {"light_units", &limit.light_units},
       {"light_near", &limit.light_near},   {"light_range", &limit.light_range}};
-  state_.restart_budget();
-  state_.run([&](lua_State* L) {
-    if (!push_function("limit")) return;
-    push_context(0);
-    lua_call(L, 1, 1);
+  ask("limit", [&](lua_State* L) {
     if (lua_type(L, -1) != LUA_TTABLE)
       throw InputError(fmt::format("{}: limit gives no table", file_.string()));
     for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
@@ -48,11 +50,7 @@ Limit Recipe::limit() {
 
 std::vector<glm::dvec4> Recipe::points() {
   std::vector<glm::dvec4> points;
-  state_.restart_budget();
-  state_.run([&](lua_State* L) {
-    if (!push_function("points")) return;
-    push_context(0);
-    lua_call(L, 1, 1);
+  ask("points", [&](lua_State* L) {
     if (lua_type(L, -1) != LUA_TTABLE)
       throw InputError(fmt::format("{}: points gives no list of points", file_.string()));
     for (lua_Integer i = 1; lua_geti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1))

@@ -168,6 +168,7 @@ class Recipe : private lua::PassListener {
   static int look_up_in_setup(lua_State* L);
   static int list_in_setup(lua_State* L);
   bool push_function(const char* name);
+  void ask(const char* name, const std::function<void(lua_State*)>& take);
 
   gl::Graphics& graphics_;
   std::filesystem::path file_;

@@ -4,11 +4,7 @@ local found = require "found"
 local given = require "given"
 local listing = require "listing"
 
--- Pixels of a picture that are wrong, beside no edge of the truth.
-local function beyond(picture, truth)
-  local _, wrong = given.wrong(picture, truth)
-  return wrong
-end
+local beyond = given.beyond
 
 local volumes = { "volumes_zfail", "volumes_auto", "volumes_two_sided", "planned" }
 
