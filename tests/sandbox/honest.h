@@ -21,6 +21,9 @@ inline constexpr double slowness = 4;
 inline constexpr double slowness = 1;
 #endif
 
+/// Seconds that nothing takes which ends by itself, wherever the tests run: 2 on a quiet machine.
+inline constexpr double ample = 100;
+
 /// The limits of a worker for honest submissions.
 inline lab::Isolation isolation() {
   return {.seconds = 20 * slowness, .width = 16, .height = 8, .program = SHADOWLAB_PROGRAM};

@@ -1,6 +1,7 @@
 -- Never stops, when a variable goes out of scope.
 -- expect: recipe error
 -- says: for more than
+-- script: 0.2 s
 return {
   draw = function(r)
     local m = {}

@@ -1,6 +1,6 @@
 -- Compiles one shader after the other.
 -- expect: recipe error or timed out or out of memory
--- seconds: 3
+-- job: 3 s
 return {
   draw = function(r)
     local i = 0

@@ -1,6 +1,6 @@
 -- A draw of 1e9 vertices.
 -- expect: recipe error or timed out
--- seconds: 1.5
+-- job: 1.5 s
 return {
   draw = function(r)
     local s = shader.compile {

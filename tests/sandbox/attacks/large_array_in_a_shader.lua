@@ -1,6 +1,6 @@
 -- An array of a gigabyte in a shader.
 -- expect: recipe error or out of memory or crashed or timed out
--- seconds: 2
+-- job: 2 s
 return {
   draw = function(r)
     mesh.quad():draw(shader.compile {

@@ -1,7 +1,7 @@
 -- A vertex shader that never stops.
 -- expect: timed out
 -- says: look for a loop
--- seconds: 1
+-- job: 1 s
 return {
   draw = function(r)
     local s = shader.compile {

@@ -1,6 +1,5 @@
 -- NaN and infinities wherever a number goes.
 -- expect: finished or recipe error
--- seconds: 4
 return {
   draw = function(r)
     local nan, inf = 0 / 0, 1 / 0

@@ -1,6 +1,6 @@
 -- Full screens of triangles, as many as time allows.
 -- expect: recipe error or timed out
--- seconds: 2
+-- job: 2 s
 return {
   draw = function(r)
     local s = shader.compile {

@@ -1,6 +1,6 @@
 -- A shader that takes minutes to compile.
 -- expect: timed out or out of memory or recipe error
--- seconds: 1.5
+-- job: 1.5 s
 return {
   draw = function(r)
     local lines = {}

@@ -1,7 +1,7 @@
 -- Strings until memory ends.
 -- expect: recipe error
 -- says: memory
--- memory: 16
+-- memory: 16 MiB
 return {
   draw = function(r)
     local s = "x"
