@@ -1,6 +1,6 @@
 -- Compiles one shader after the other.
 -- expect: recipe error or timed out or out of memory
--- job: 3 s
+-- job: 1.5 s
 return {
   draw = function(r)
     local i = 0

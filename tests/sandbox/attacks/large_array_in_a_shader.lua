@@ -1,6 +1,6 @@
 -- An array of a gigabyte in a shader.
 -- expect: recipe error or out of memory or crashed or timed out
--- job: 2 s
+-- job: 1.5 s
 return {
   draw = function(r)
     mesh.quad():draw(shader.compile {

@@ -1,6 +1,6 @@
 -- Full screens of triangles, as many as time allows.
 -- expect: recipe error or timed out
--- job: 2 s
+-- job: 1.5 s
 return {
   draw = function(r)
     local s = shader.compile {

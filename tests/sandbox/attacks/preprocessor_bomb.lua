@@ -1,6 +1,6 @@
 -- Macros that grow to 2^40 words.
 -- expect: recipe error or timed out or out of memory or crashed
--- job: 2 s
+-- job: 1.5 s
 return {
   draw = function(r)
     local lines = { "#version 330 core", "#define A0 1.0 + 1.0" }

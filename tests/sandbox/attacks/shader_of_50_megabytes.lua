@@ -1,6 +1,6 @@
 -- A shader of 50 MB.
 -- expect: recipe error or timed out or out of memory
--- job: 2 s
+-- job: 1.5 s
 -- memory: 256 MiB
 return {
   draw = function(r)

@@ -1,6 +1,6 @@
 -- A million samples of the exact shadow.
 -- expect: recipe error or timed out
--- job: 2 s
+-- job: 1.5 s
 return {
   draw = function(r)
     local s = scene.load("table")
