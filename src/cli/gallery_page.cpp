@@ -37,8 +37,8 @@ p { margin: .25rem 0; }
 a { color: var(--link); }
 :focus-visible { outline: 3px solid var(--link); outline-offset: 2px; }
 .quiet { color: var(--quiet); font-size: .875rem; }
-nav ol { columns: 18rem; margin: 1rem 0 0; padding-left: 2rem; }
-nav li { break-inside: avoid; }
+nav ol { columns: 18rem; margin: 1rem 0 0; padding: 0; }
+nav li { break-inside: avoid; margin-left: 2rem; }  /* for the number, in each column */
 article {
   margin-top: 1.5rem; padding: 1.25rem; scroll-margin-top: 1rem;
   background: var(--card); border: 1px solid var(--line); border-radius: .5rem;
