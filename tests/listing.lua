@@ -28,8 +28,9 @@ local function depths(here, phong, seen)
 end
 
 -- Shadow volumes of every caster's silhouette, depths as they come; `way` is "zpass" or "zfail", `test`
--- "EQUAL 1" for the slide's.
-function listing.volumes(world, light, way, test)
+-- "EQUAL 1" for the slide's, `edges` "lit" for a side from each edge that one lit face has, however the
+-- faces run.
+function listing.volumes(world, light, way, test, edges)
   given.world = world
   return frame(given.size, given.size, function()
     local here, phong, volume = scene.load "given", shader.load "phong", shader.load "volume"
@@ -45,11 +46,20 @@ function listing.volumes(world, light, way, test)
       gl.StencilOpSeparate(gl.FRONT, gl.KEEP, gl.DECR_WRAP, gl.KEEP)
     end
     for _, caster in ipairs(here.casters) do
-      local one = shadow.volume(caster, nil, light)
+      local one = shadow.volume(caster, nil, light, { edges = edges, caps = way == "zfail" })
       if way == "zpass" then one:draw_sides(volume, seen) else one:draw(volume, seen) end
     end
     shade(here, phong, seen, test)
   end)
+end
+
+-- What was counted, as a picture: white where it is not 0.
+function listing.show_count()
+  gl.ColorMask(true, true, true, true)
+  gl.Disable(gl.DEPTH_TEST)
+  gl.StencilFunc(gl.NOTEQUAL, 0, 0xFF)
+  gl.StencilOp(gl.KEEP, gl.KEEP, gl.KEEP)
+  mesh.quad():draw(shader.load "flat", { view = mat4(1), projection = mat4(1), color = vec3(1) })
 end
 
 -- Volumes by hand, a prism for each lit face: which are lit is decided in floating point, and "far" is a

@@ -15,7 +15,8 @@
 //   expect_near(a, b, tolerance, reason)      numbers or vectors
 //   expect_error(function, part of its sentence)
 //   naive(words, picture)    what the listing as a lecture prints it gives, for the row of the
-//   case; ours(words, picture)     what shadowlab gives; the picture may be left out
+//   case; ours(words, picture)     what shadowlab gives. A picture may be left out, but of a row
+//   whose listing fails one of each is shown.
 //
 // and it may register rows, each of which sums facts up as one case:
 //

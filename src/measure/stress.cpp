@@ -72,6 +72,10 @@ class Outcomes {
   std::map<std::string, Outcome> outcomes_;
 };
 
+bool has_picture(const std::vector<Note>& notes) {
+  return std::ranges::any_of(notes, [](const Note& note) { return note.picture.has_value(); });
+}
+
 std::string joined(const std::vector<Note>& notes) {
   std::vector<std::string> told;
   std::string text;
@@ -131,6 +135,10 @@ std::vector<StressRow> stress(const fs::path& folder, std::span<const int> wante
       if (progress) progress({rows.size(), found.size(), hard.title});
       StressRow row{hard, path.stem().string(), {}, {}, ""};
       for (const std::string& fact : hard.facts) outcomes.add(fact, row);
+      if (row.passes() && !row.naive.empty() && !(has_picture(row.naive) && has_picture(row.ours)))
+        row.failure =
+            "it tells how the listing fails and does not show it: give one naive(…) and one "
+            "ours(…) of its facts a picture";
       rows.push_back(std::move(row));
     }
   }

@@ -35,6 +35,13 @@ local function expected_step(z, bits)
   return 64 * first / (near * 2 ^ bits * (1 / z - 1 / (z + 64 * first)))
 end
 
+-- Clip z over distance; reversed, from 1 at the near plane to 0, which GL is told.
+local function depth_of(reversed)
+  if not reversed then return vec2((far + near) / (far - near), -2 * far * near / (far - near)) end
+  gl.ClipControl(gl.LOWER_LEFT, gl.ZERO_TO_ONE)
+  return vec2(-near / (far - near), far * near / (far - near))
+end
+
 -- The step between depths that differ, in metres, from `distance` on, over 64 times `expected`.
 local function measured(format, reversed, distance, expected)
   local found
@@ -48,14 +55,9 @@ local function measured(format, reversed, distance, expected)
     gl.ReadBuffer(gl.NONE)
     gl.Enable(gl.DEPTH_TEST)
     gl.DepthFunc(gl.ALWAYS)
-    local depth_of = vec2((far + near) / (far - near), -2 * far * near / (far - near))
-    if reversed then
-      gl.ClipControl(gl.LOWER_LEFT, gl.ZERO_TO_ONE)
-      depth_of = vec2(-near / (far - near), far * near / (far - near))
-    end
     local range = 64 * expected
     steps():draw(shader.compile { vertex = vertex, fragment = fragment },
-                 { from = distance, range = range, depth_of = depth_of })
+                 { from = distance, range = range, depth_of = depth_of(reversed) })
     local seen, differing = {}, 0
     for _, depth in ipairs(gl.ReadPixels(0, 0, columns, 1, gl.DEPTH_COMPONENT, gl.FLOAT)) do
       if not seen[depth] then differing = differing + 1 end
@@ -96,6 +98,54 @@ test("a_reversed_float_resolves_a_constant_part_of_the_distance", function()
   end
 end)
 
+-- What is seen: a white slope from 995 m to 1005 m and, 0.3 m behind it, a black one, drawn last. The black
+-- one passes where its depth is rounded to the white one's. How many pixels that are.
+local function slopes(format, reversed)
+  local behind = 0
+  local picture = frame(columns, columns, function(r)
+    local map, colors, target = gl.GenTextures(1), gl.GenRenderbuffers(1), gl.GenFramebuffers(1)
+    gl.BindTexture(gl.TEXTURE_2D, map)
+    gl.TexImage2D(gl.TEXTURE_2D, 0, format, columns, columns, 0, gl.DEPTH_COMPONENT, gl.FLOAT, nil)
+    gl.BindRenderbuffer(gl.RENDERBUFFER, colors)
+    gl.RenderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, columns, columns)
+    gl.BindFramebuffer(gl.FRAMEBUFFER, target)
+    gl.FramebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, map, 0)
+    gl.FramebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colors)
+    gl.Enable(gl.DEPTH_TEST)
+    gl.DepthFunc(reversed and gl.GEQUAL or gl.LEQUAL)
+    gl.ClearDepth(reversed and 0 or 1)
+    gl.Clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
+    local painted = shader.compile { vertex = vertex, fragment = [[
+      #version 330 core
+      uniform vec3 color;
+      out vec4 fragment;
+      void main() { fragment = vec4(color, 1.0); }]] }
+    for _, slope in ipairs { { 995, vec3(1) }, { 995.3, vec3(0) } } do
+      steps():draw(painted, { from = slope[1], range = 10, depth_of = depth_of(reversed), color = slope[2] })
+    end
+    gl.BindFramebuffer(gl.DRAW_FRAMEBUFFER, 0)
+    gl.BlitFramebuffer(0, 0, columns, columns, 0, 0, columns, columns, gl.COLOR_BUFFER_BIT, gl.NEAREST)
+  end)
+  for x = 0, columns - 1 do
+    if (picture:color(x, columns // 2)) == 0 then behind = behind + 1 end
+  end
+  return behind, picture
+end
+
+-- Steps of 0.6 m do not tell 0.3 m apart in half of the columns; depths are computed in floats, which
+-- makes it a few more or less.
+test("what_is_a_foot_behind_a_surface_at_a_kilometre_is_seen_through_it_but_for_reversed_depths", function()
+  for _, format in ipairs { gl.DEPTH_COMPONENT24, gl.DEPTH_COMPONENT32F } do
+    local behind, picture = slopes(format, false)
+    expect(behind > columns / 4, behind)
+    if format == gl.DEPTH_COMPONENT24 then naive(behind .. " of " .. columns .. " columns show what is 0.3 m behind", picture) end
+  end
+  local behind, picture = slopes(gl.DEPTH_COMPONENT32F, true)
+  expect_equal(behind, 0)
+  ours("no column shows what is 0.3 m behind", picture)
+end)
+
 row{ case = 8, title = "Near and far 0.1 and 1e5", expected = "steps of z²/(n · 2^bits); reversed D32F a constant part of the distance",
      facts = { "depth_16_resolves_z_squared_over_n_2_to_the_16", "depth_24_and_a_float_of_32_bits_resolve_the_same",
-               "a_reversed_float_resolves_a_constant_part_of_the_distance" } }
+               "a_reversed_float_resolves_a_constant_part_of_the_distance",
+               "what_is_a_foot_behind_a_surface_at_a_kilometre_is_seen_through_it_but_for_reversed_depths" } }

@@ -29,7 +29,9 @@ test("the_exact_map_of_a_light_a_million_units_away_is_exact", function()
   for name, world in pairs{ beside_an_edge = beside_an_edge, in_another_cell = in_another_cell } do
     found.at_its_size(world, function(objects, light)
       local truth = given.draw("truth", objects, light)
-      expect_equal(beyond(given.draw("shadow_map_exact", objects, light, exact), truth), 0, name)
+      local picture = given.draw("shadow_map_exact", objects, light, exact)
+      expect_equal(beyond(picture, truth), 0, name)
+      ours("no wrong pixel", picture)
     end)
   end
 end)

@@ -214,19 +214,39 @@ local function depths_of(world, map, size)
   return depths
 end
 
--- How many texels that both maps have differ, the second having moved by whole texels. A map that stayed
+-- Which texels that both maps have differ, the second having moved by whole texels: how many, and the
+-- second map's, row by row. A map that stayed
 -- is the same to the bit; in one that moved the rasterizer interpolates depth from another corner of
 -- the window, in floats, which here rounds by up to six of the 2^24 steps. No texel changes what covers it.
 local function changed(a, b, size, dx, dy)
-  local count, rounding = 0, (dx ~= 0 or dy ~= 0) and 8 * 2 ^ -24 or 0
+  local count, which, rounding = 0, {}, (dx ~= 0 or dy ~= 0) and 8 * 2 ^ -24 or 0
+  for i = 1, size * size do which[i] = 0 end
   for y = math.max(0, dy), math.min(size, size + dy) - 1 do
     for x = math.max(0, dx), math.min(size, size + dx) - 1 do
       if math.abs(a[(y - dy) * size + x - dx + 1] - b[y * size + x + 1]) > rounding then
         count = count + 1
+        which[y * size + x + 1] = 1
       end
     end
   end
-  return count
+  return count, which
+end
+
+-- A map's values as a picture: black is 0, white 1.
+local function shown(values, size)
+  return frame(size, size, function()
+    local map = gl.GenTextures(1)
+    gl.BindTexture(gl.TEXTURE_2D, map)
+    gl.TexImage2D(gl.TEXTURE_2D, 0, gl.R32F, size, size, 0, gl.RED, gl.FLOAT, values)
+    gl.TexParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST)
+    mesh.quad():draw(shader.compile{
+      vertex = "#version 330 core\nlayout(location = 0) in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }",
+      fragment = [[#version 330 core
+        uniform sampler2D map;
+        out vec4 fragment;
+        void main() { fragment = vec4(texelFetch(map, ivec2(gl_FragCoord.xy), 0).rrr, 1.0); }]] }, { map = 0 })
+    gl.DeleteTextures(1, map)
+  end)
 end
 
 -- Half a texel is the farthest that a step can be from a whole one: within it, the map either stays or
@@ -238,6 +258,7 @@ test("a_sub_texel_move_of_the_camera_changes_no_texel_of_a_stable_map", function
   end
   local first = maps(world.camera, true)
   local moved, stayed, tight_changes = 0, 0, 0
+  local stable_map, tight_map
   for i, map in ipairs(first) do
     local before = depths_of(world, map, size)
     local texel = 2 / (map.projection[1][1] * size)
@@ -247,18 +268,20 @@ test("a_sub_texel_move_of_the_camera_changes_no_texel_of_a_stable_map", function
       local shift = (after.projection * after.view - map.projection * map.view):column(4) * (size / 2)
       local dx, dy = math.floor(shift.x + 0.5), math.floor(shift.y + 0.5)
       if dx ~= 0 or dy ~= 0 then moved = moved + 1 else stayed = stayed + 1 end
-      expect_equal(changed(before, depths_of(world, after, size), size, dx, dy), 0,
-                   "map " .. i .. ", " .. step .. "/12 of a texel")
+      local count, which = changed(before, depths_of(world, after, size), size, dx, dy)
+      expect_equal(count, 0, "map " .. i .. ", " .. step .. "/12 of a texel")
+      if step == 6 then stable_map = which end
     end
     -- The tight map, for comparison.
     local tight = maps(world.camera, false)[i]
     local swum = maps(world.camera:moved(vec3(0.31, 0.02, -0.37):normalize() * texel / 2), false)[i]
-    tight_changes = tight_changes + changed(depths_of(world, tight, size), depths_of(world, swum, size), size, 0, 0)
+    local count, which = changed(depths_of(world, tight, size), depths_of(world, swum, size), size, 0, 0)
+    tight_changes, tight_map = tight_changes + count, which
   end
   expect(moved > 0 and stayed > 0, moved .. " moved, " .. stayed .. " stayed")
   expect(tight_changes > 100, "a tight map hardly changes: " .. tight_changes)
-  naive("of tight maps " .. tight_changes .. " texels change")
-  ours("0 texels change")
+  naive("of tight maps " .. tight_changes .. " texels change", shown(tight_map, size))
+  ours("0 texels change", shown(stable_map, size))
 end)
 
 test("splits_are_uniform_at_lambda_0_and_logarithmic_at_1_and_finite_for_a_million", function()
