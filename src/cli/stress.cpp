@@ -160,8 +160,8 @@ void add_stress(CLI::App& app, Answer& answer) {
   command
       ->add_option(
           "--recipe", options->recipes,
-          "Recipes to search with, each with parameters as in volumes_gpu:extruder=geometry; "
-          "those that claim to be right everywhere unless given")
+          "A recipe to search with, and its parameters as in volumes_gpu:extruder=geometry; may be "
+          "repeated; those that claim to be right everywhere unless given")
       ->type_name("RECIPE")
       ->allow_extra_args(false);
   command->footer(
