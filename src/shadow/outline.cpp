@@ -30,8 +30,11 @@ Filling filling(const Placed& caster, glm::dvec4 light, glm::dvec4 plane, const 
 
   // What may be lost to rounding, of coordinates and of products with them.
   const Crate exact = crate_around(caster.bounds, caster.model, 0);
-  double size = std::abs(plane.w);
-  for (std::size_t i = 0; i < 8; ++i) size = std::max(size, glm::length(exact.corner(i)));
+  double size = std::abs(plane.w), own = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    size = std::max(size, glm::length(exact.corner(i)));
+    own = std::max(own, glm::distance(exact.corner(i), glm::dvec3(caster.model[3])));
+  }
   const double room = 1e-6 * size;
   double lowest = 1e300, highest = -1e300;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -44,8 +47,8 @@ Filling filling(const Placed& caster, glm::dvec4 light, glm::dvec4 plane, const 
   if (ShadowReach(crate_around(caster.bounds, caster.model, room), light)
           .parts_from(crate_around(receiver.bounds, receiver.model, room)))
     return Filling::none;
-  // A caster that stands on the plane does not cut it.
-  if (lowest < -room) return Filling::faces;
+  // A caster that stands on the plane does not cut it: its vertices are floats, placed in double.
+  if (lowest < -(0x1p-22 * own + 0x1p-46 * size)) return Filling::faces;
   return holds(caster.bounds, in_model) ? Filling::around : Filling::outline;
 }
 

@@ -172,6 +172,23 @@ TEST(Outline, is_what_fills_a_shadow_where_neither_light_nor_plane_is_in_the_cas
   EXPECT_EQ(filling(unit_box({0, 1, 0}), {1, 2, 0, 0}, floor_plane, floor_box), Filling::outline);
 }
 
+// Coordinates of 1e5 to 1e6 have doubles' room for a billionth: 0.1 of a metre is no rounding.
+TEST(Outline, is_cut_by_the_floor_as_well_where_the_world_is_far_from_its_origin) {
+  for (const double away : {0.0, 1e3, 4e5, 1e6}) {
+    const glm::dvec3 offset = away * glm::dvec3(-0.7, 0.75, 0.1);
+    glm::dmat4 floor(1);
+    floor[3] = glm::dvec4(offset, 1);
+    const Placed box{floor_box.bounds, floor};
+    const glm::dvec4 plane(0, 1, 0, -offset.y), light(offset + glm::dvec3(0, 4, 0), 1);
+    const auto filled = [&](double height) {
+      return filling(unit_box(offset + glm::dvec3(0, height, 0)), light, plane, box);
+    };
+    EXPECT_EQ(filled(0.5), Filling::outline) << "it stands on the floor, " << away << " away";
+    EXPECT_EQ(filled(0.4), Filling::faces) << "the floor cuts it, " << away << " away";
+    EXPECT_EQ(filled(0.499), Filling::faces) << "the floor cuts it, " << away << " away";
+  }
+}
+
 TEST(Outline, is_nothing_where_a_shadow_cannot_meet_the_receiver) {
   EXPECT_EQ(filling(unit_box({0, -1, 0}), {0, 4, 0, 1}, floor_plane, floor_box), Filling::none)
       << "below the floor";
