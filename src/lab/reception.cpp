@@ -15,8 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// When a job's time is over the zygote kills it and says so; it may be busy for so long.
-constexpr double grace_seconds = 5;
 constexpr std::size_t block_size = std::size_t{1} << 18;
 
 // As read(2) on a descriptor that does not block; nothing when there is nothing now.

@@ -42,10 +42,8 @@ std::string first_line(const std::string& words) {
 }
 
 // What a child's end by a signal means.
-Judgement of_signal(int signal, const Isolation& isolation) {
+Judgement of_signal(int signal) {
   switch (signal) {
-    case SIGXCPU:
-      return {Verdict::timed_out, time_sentence(isolation.seconds)};
     case SIGSYS:
       return {Verdict::forbidden,
               std::string("the submission's process asked the system for what drawing never needs, "
@@ -77,7 +75,7 @@ Judgement judge(const Reception& came, const Isolation& isolation) {
   if (!came.ended || came.ended->timed_out)
     return {Verdict::timed_out, time_sentence(isolation.seconds)};
   const int status = came.ended->status;
-  if (WIFSIGNALED(status)) return of_signal(WTERMSIG(status), isolation);
+  if (WIFSIGNALED(status)) return of_signal(WTERMSIG(status));
   if (WEXITSTATUS(status) == out_of_memory)
     return {Verdict::out_of_memory, memory_sentence(isolation.memory)};
   if (WEXITSTATUS(status) != 0)

@@ -167,7 +167,7 @@ class Worker::Impl {
   // False where the worker was lost.
   bool order(const Running& worker, Reception& came, const Job& job, const fs::path& folder) {
     Ends channel = make_stream(), out = make_pipe(), err = make_pipe(), word = make_messages();
-    const Order order{isolation_.seconds, isolation_.seconds, isolation_.memory};
+    const Order order{isolation_.seconds, isolation_.memory};
     const std::string path = folder.string();
     std::vector<std::uint8_t> bytes(sizeof order + path.size());
     std::memcpy(bytes.data(), &order, sizeof order);

@@ -62,7 +62,7 @@ void take_descriptors(const Message& order) {
   int code = 0;
   try {
     if (::chdir(folder.c_str()) != 0) throw MachineError("the recipe's folder is gone");
-    Layers layers = lock_in({.seconds = order.processor_seconds,
+    Layers layers = lock_in({.seconds = order.seconds + grace_seconds,
                              .memory = static_cast<std::size_t>(order.memory),
                              .readable = {folder, home() / "scripts", home() / "shaders"}},
                             filter);

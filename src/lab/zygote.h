@@ -31,10 +31,14 @@ struct Greeting {
 /// output, standard error, and for the word that the child has ended. Closing the last one's other
 /// end kills the child.
 struct Order {
-  double seconds;  ///< by the clock on the wall
-  double processor_seconds;
+  double seconds;        ///< by the clock on the wall
   std::uint64_t memory;  ///< bytes
 };
+
+/// When a job's time is over the zygote kills it and says so; it may be busy for so long. The
+/// kernel's limit of processor time lies beyond that: it ends a job without a word about why, and
+/// is for those that nobody watches any more.
+inline constexpr double grace_seconds = 5;
 
 /// How a child ended.
 struct Ended {

@@ -3,7 +3,10 @@
 #include "lab/worker.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -107,6 +110,45 @@ TEST_F(WorkerTest, keeps_what_was_drawn_before_the_time_was_over) {
   EXPECT_EQ(outcome.verdict, Verdict::timed_out);
   EXPECT_NE(outcome.sentence.find("1.5 s"), std::string::npos) << outcome.sentence;
   EXPECT_EQ(outcome.drawings.size(), 1u);
+}
+
+// The process that `process` started, 0 while there is none.
+pid_t child_of(pid_t process) {
+  pid_t child = 0;
+  std::ifstream(fmt::format("/proc/{0}/task/{0}/children", process)) >> child;
+  return child;
+}
+
+// Seconds of processor time after which the kernel ends it; 0 while nothing would.
+double processor_limit_of(pid_t process) {
+  std::ifstream limits(fmt::format("/proc/{}/limits", process));
+  const std::string mark = "Max cpu time";
+  for (std::string line; std::getline(limits, line);)
+    if (line.starts_with(mark)) return std::atof(line.c_str() + mark.size());
+  return 0;
+}
+
+// The kernel's limit ends a job by the signal of a lack of memory, and a loop has as much processor
+// time as time on the wall but for what its machine rounds.
+TEST_F(WorkerTest, the_clock_that_says_why_is_over_before_the_kernels) {
+  lab::Isolation brief = isolation();
+  brief.seconds = 1;
+  brief.namespaces = lab::Isolation::Namespaces::none;
+  Worker worker(brief);
+  const pid_t zygote = child_of(::getpid());
+  if (zygote == 0) GTEST_SKIP() << "this kernel does not say whose child a process is";
+  Job job = job_of(write("loop.lua", "while true do end"));
+  Outcome outcome;
+  std::atomic<bool> over = false;
+  std::jthread drawing([&] {
+    outcome = worker.draw(job);
+    over = true;
+  });
+  double limit = 0;
+  while (limit == 0 && !over) limit = processor_limit_of(child_of(zygote));
+  drawing.join();
+  EXPECT_EQ(outcome.verdict, Verdict::timed_out) << outcome.sentence;
+  EXPECT_GE(limit, brief.seconds + 1);
 }
 
 TEST_F(WorkerTest, serves_any_number_of_threads_at_once) {
