@@ -1,5 +1,6 @@
 // shadowlab measure: speed against error.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

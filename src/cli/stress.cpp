@@ -1,5 +1,6 @@
 // shadowlab stress: the numerically hard cases.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/files.h"

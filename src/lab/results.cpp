@@ -1,6 +1,7 @@
 #include "lab/results.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 

@@ -1,6 +1,7 @@
 #include "measure/bar_check.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "measure/journal.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <iterator>
 

@@ -2,6 +2,8 @@
 // on.
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <map>

@@ -1,6 +1,7 @@
 #include "measure/markdown.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,7 @@
 #include "measure/page.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <fstream>
 #include <iterator>

@@ -1,5 +1,7 @@
 #include "measure/record.h"
 
+#include <nlohmann/json.hpp>
+
 namespace shadowlab::measure {
 namespace {
 

@@ -1,7 +1,7 @@
 // Measurements as JSON: what the journal and the report are made of.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "measure/fill.h"
 #include "measure/ground_truth.h"

@@ -1,6 +1,7 @@
 #include "measure/stress.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>

@@ -1,5 +1,7 @@
 #include "measure/table.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <string_view>
 

@@ -2,6 +2,7 @@
 #include "lab/formats.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <set>
 

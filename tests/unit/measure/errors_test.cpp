@@ -1,6 +1,7 @@
 #include "measure/errors.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>

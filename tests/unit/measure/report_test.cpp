@@ -1,5 +1,6 @@
 // What becomes of measurements: records, tables, curves, the page.
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
