@@ -42,7 +42,7 @@ std::string first_line(const std::string& words) {
 }
 
 // What a child's end by a signal means.
-Judgement of_signal(int signal) {
+Ruling of_signal(int signal) {
   switch (signal) {
     case SIGSYS:
       return {Verdict::forbidden,
@@ -61,7 +61,7 @@ Judgement of_signal(int signal) {
 
 }  // namespace
 
-Judgement judge(const Reception& came, const Isolation& isolation) {
+Ruling judge(const Reception& came, const Isolation& isolation) {
   if (came.flooded)
     return {Verdict::flooded,
             std::string("the submission sent more than anybody reads, and was stopped") + to_whom};

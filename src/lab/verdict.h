@@ -7,11 +7,11 @@
 
 namespace shadowlab::lab {
 
-struct Judgement {
+struct Ruling {
   Verdict verdict;
   std::string sentence;  ///< what happened and what to do; empty for `finished`
 };
 
-Judgement judge(const Reception& came, const Isolation& isolation);
+Ruling judge(const Reception& came, const Isolation& isolation);
 
 }  // namespace shadowlab::lab

@@ -131,9 +131,9 @@ class Worker::Impl {
     } else {
       Reception came(job, isolation_, each);
       run(came, job, folder.path());
-      Judgement judgement = judge(came, isolation_);
-      outcome.verdict = judgement.verdict;
-      outcome.sentence = std::move(judgement.sentence);
+      Ruling ruling = judge(came, isolation_);
+      outcome.verdict = ruling.verdict;
+      outcome.sentence = std::move(ruling.sentence);
       outcome.out = std::move(came.out);
       outcome.err = std::move(came.err);
       if (came.ended) {

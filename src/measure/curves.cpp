@@ -62,7 +62,7 @@ scene::Scene sphere_on_floor(int divisions) {
 }
 
 // One point of a curve: what is varied, and how a recipe is made for it.
-struct Trial {
+struct PlannedPoint {
   double x = 0;
   int side = 0;
   std::function<std::unique_ptr<recipe::Recipe>(gl::Graphics&)> make;
@@ -70,7 +70,7 @@ struct Trial {
 
 struct Plan {
   Curve curve;
-  std::vector<Trial> trials;
+  std::vector<PlannedPoint> points;
 };
 
 std::unique_ptr<recipe::Recipe> made(gl::Graphics& graphics, const fs::path& file,
@@ -85,14 +85,14 @@ std::vector<Plan> plans_of(const CurveOptions& options) {
   for (const fs::path& file : options.recipes) {
     Plan pixels{{file.stem().string(), options.scene, "pixels", {}}, {}};
     for (const int side : options.sides) {
-      pixels.trials.push_back({double(side) * side, side, [=](gl::Graphics& graphics) {
+      pixels.points.push_back({double(side) * side, side, [=](gl::Graphics& graphics) {
                                  return made(graphics, file, options.scene);
                                }});
     }
     plans.push_back(std::move(pixels));
     Plan triangles{{file.stem().string(), "sphere", "triangles", {}}, {}};
     for (const int divisions : options.divisions) {
-      triangles.trials.push_back(
+      triangles.points.push_back(
           {4.0 * divisions * divisions, options.side, [=](gl::Graphics& graphics) {
              auto recipe = made(graphics, file, {});
              scene::Scene scene = sphere_on_floor(divisions);
@@ -105,7 +105,7 @@ std::vector<Plan> plans_of(const CurveOptions& options) {
   }
   Plan lights{{options.lights.stem().string(), "sphere", "lights", {}}, {}};
   for (const int count : options.light_counts) {
-    lights.trials.push_back({double(count), options.side, [=](gl::Graphics& graphics) {
+    lights.points.push_back({double(count), options.side, [=](gl::Graphics& graphics) {
                                auto recipe = made(graphics, options.lights, {});
                                scene::Scene scene = sphere_on_floor(16);
                                scene.lights.resize(static_cast<std::size_t>(count));
@@ -175,23 +175,23 @@ std::vector<Curve> timed_curves(const CurveOptions& options, context::Backend ba
   std::map<int, std::unique_ptr<gl::Graphics>> contexts;
   std::vector<Curve> curves;
   for (Plan& plan : plans_of(options)) {
-    for (const Trial& trial : plan.trials) {
+    for (const PlannedPoint& point : plan.points) {
       const std::string key =
-          fmt::format("curve {} {} {}", plan.curve.recipe, plan.curve.of, trial.x);
-      step(fmt::format("{}, {} {}", plan.curve.recipe, trial.x, plan.curve.of));
+          fmt::format("curve {} {} {}", plan.curve.recipe, plan.curve.of, point.x);
+      step(fmt::format("{}, {} {}", plan.curve.recipe, point.x, plan.curve.of));
       auto record = journal.find(key);
       if (!record) {
-        auto& graphics = contexts[trial.side];
+        auto& graphics = contexts[point.side];
         if (!graphics) {
           graphics =
-              std::make_unique<gl::Graphics>(context::create(backend), trial.side, trial.side);
+              std::make_unique<gl::Graphics>(context::create(backend), point.side, point.side);
         }
         graphics->context().make_current();
         Json ms;
         try {
           std::vector<double> rounds;
           for (int round = 0; round < options.rounds; ++round) {
-            const auto recipe = trial.make(*graphics);
+            const auto recipe = point.make(*graphics);
             if (!recipe->holds()) break;
             rounds.push_back(frame_time(*graphics, *recipe, options.milliseconds));
           }
@@ -201,7 +201,7 @@ std::vector<Curve> timed_curves(const CurveOptions& options, context::Backend ba
         journal.write(key, ms);
         record = ms;
       }
-      if (record->is_number()) plan.curve.points.push_back({trial.x, record->get<double>()});
+      if (record->is_number()) plan.curve.points.push_back({point.x, record->get<double>()});
     }
     if (!plan.curve.points.empty()) curves.push_back(std::move(plan.curve));
   }

@@ -10,9 +10,9 @@ namespace {
 using Index = std::uint32_t;
 
 /// Appends the vertices and triangles of one triangle's part of the volume.
-class Part {
+class ExtrudedPart {
  public:
-  Part(DoubledMesh& mesh, const glm::vec4& face) : mesh_(mesh), face_(face) {}
+  ExtrudedPart(DoubledMesh& mesh, const glm::vec4& face) : mesh_(mesh), face_(face) {}
 
   /// A cap a, b, c, or b, a, c where the triangle counts -1: the same two corners are exchanged as
   /// in `VolumeBuilder`'s caps, and for the same reason.
@@ -118,7 +118,7 @@ DoubledMesh doubled_mesh(const FacingPlanes& planes, TriangleRange run) {
   mesh.indices.reserve(run.count() * DoubledMesh::indices_a_triangle);
   for (std::size_t t = 0; t < run.count(); ++t) {
     const auto [a, b, c] = corners_of(planes, run.first + t);
-    Part part(mesh, planes.plane(run.first + t));
+    ExtrudedPart part(mesh, planes.plane(run.first + t));
     const auto plane_across = [&](std::size_t k) {
       const std::size_t other = neighbours[3 * t + k] / 3;
       return other == t ? glm::vec4(0) : planes.plane(run.first + other);
@@ -137,7 +137,7 @@ DoubledMesh separate_faces(const FacingPlanes& planes, TriangleRange run) {
   DoubledMesh mesh;
   for (std::size_t t = run.first; t < run.last; ++t) {
     const auto [a, b, c] = corners_of(planes, t);
-    Part(mesh, planes.plane(t)).cap(a, b, c, 1);
+    ExtrudedPart(mesh, planes.plane(t)).cap(a, b, c, 1);
   }
   return mesh;
 }

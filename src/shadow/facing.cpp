@@ -25,7 +25,7 @@ namespace {
 // Triangles decided together: a block with a doubtful one is looked at again.
 constexpr std::size_t block = 512;
 
-struct Planes {
+struct PlaneComponents {
   const float *x, *y, *z, *d;
 };
 
@@ -35,8 +35,8 @@ constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
 
 /// Whether all n triangles are clear of the bound; out = 1 where lit, else 0.
 SHADOWLAB_CLONES
-bool decide_lit(Planes p, float lx, float ly, float lz, float lw, float bound, std::size_t n,
-                std::int8_t* __restrict out) {
+bool decide_lit(PlaneComponents p, float lx, float ly, float lz, float lw, float bound,
+                std::size_t n, std::int8_t* __restrict out) {
   std::int32_t least = largest;
   for (std::size_t i = 0; i < n; ++i) {
     const float value = (p.x[i] * lx + p.y[i] * ly) + (p.z[i] * lz + p.d[i] * lw);
@@ -50,8 +50,8 @@ bool decide_lit(Planes p, float lx, float ly, float lz, float lw, float bound, s
 
 /// The same; out = 1 where lit, else -1.
 SHADOWLAB_CLONES
-bool decide_sign(Planes p, float lx, float ly, float lz, float lw, float bound, std::size_t n,
-                 std::int8_t* __restrict out) {
+bool decide_sign(PlaneComponents p, float lx, float ly, float lz, float lw, float bound,
+                 std::size_t n, std::int8_t* __restrict out) {
   std::int32_t least = largest;
   for (std::size_t i = 0; i < n; ++i) {
     const float value = (p.x[i] * lx + p.y[i] * ly) + (p.z[i] * lz + p.d[i] * lw);
@@ -149,7 +149,7 @@ void FacingPlanes::decide(glm::dvec4 light, std::size_t first, std::span<std::in
   constexpr bool only_lit = Sign::only_lit;
   for (std::size_t begin = 0; begin < out.size(); begin += block) {
     const std::size_t n = std::min(block, out.size() - begin), t = first + begin;
-    const Planes planes{&x_[t], &y_[t], &z_[t], &d_[t]};
+    const PlaneComponents planes{&x_[t], &y_[t], &z_[t], &d_[t]};
     std::int8_t* const decided = out.data() + begin;
     const auto kernel = only_lit ? decide_lit : decide_sign;
     if (kernel(planes, l.x, l.y, l.z, l.w, bound, n, decided)) continue;

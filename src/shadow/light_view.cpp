@@ -23,7 +23,7 @@ const double widest = glm::radians(85.0);
 
 // An extent in the map: x and y on the plane at distance 1 (perspective) or in metres, and depth
 // along the axis.
-struct Extent {
+struct MapExtent {
   glm::dvec2 low{+1e300}, high{-1e300};
   double near = +1e300, far = -1e300;
   bool empty() const { return low.x > high.x || low.y > high.y; }
@@ -33,7 +33,7 @@ struct Extent {
     near = std::min(near, p.z);
     far = std::max(far, p.z);
   }
-  void add(const Extent& other) {
+  void add(const MapExtent& other) {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
     near = std::min(near, other.near);
@@ -41,11 +41,11 @@ struct Extent {
   }
 };
 
-Extent common(const Extent& a, const Extent& b) {
+MapExtent common(const MapExtent& a, const MapExtent& b) {
   return {glm::max(a.low, b.low), glm::min(a.high, b.high), a.near, a.far};
 }
 
-// World space to map coordinates: x, y as Extent has them, z the depth.
+// World space to map coordinates: x, y as MapExtent has them, z the depth.
 class MapSpace {
  public:
   MapSpace(glm::dmat3 axes, glm::dvec3 origin, bool perspective)
@@ -54,11 +54,11 @@ class MapSpace {
   glm::dvec3 eye(glm::dvec3 point) const { return axes_ * (point - origin_); }
 
   /// The extent of a convex polygon's corners; of what is before `least_depth` alone.
-  Extent extent(std::span<const glm::dvec3> polygon, double least_depth) const {
+  MapExtent extent(std::span<const glm::dvec3> polygon, double least_depth) const {
     std::vector<glm::dvec3> corners;
     for (const glm::dvec3& corner : polygon) corners.push_back(eye(corner));
     if (perspective_) corners = clipped(corners, {0, 0, -1, -least_depth});
-    Extent extent;
+    MapExtent extent;
     for (const glm::dvec3& corner : corners) extent.add(map(corner));
     return extent;
   }
@@ -68,7 +68,7 @@ class MapSpace {
                         : glm::dvec3(eye.x, eye.y, -eye.z);
   }
 
-  LightView view(const Extent& window) const {
+  LightView view(const MapExtent& window) const {
     LightView light{glm::dmat4(axes_), glm::dmat4(0), window.near, window.far};
     light.view[3] = glm::dvec4(-(axes_ * origin_), 1);
     const double near = window.near, far = window.far;
@@ -116,9 +116,9 @@ std::vector<std::vector<glm::dvec3>> casters_of(const scene::Scene& scene,
 }
 
 // Casters beyond the least depth are exact; of one that reaches behind it its box is cut.
-Extent caster_extent(const MapSpace& space, const std::vector<glm::dvec3>& vertices,
-                     bool perspective, double least_depth) {
-  Extent extent;
+MapExtent caster_extent(const MapSpace& space, const std::vector<glm::dvec3>& vertices,
+                        bool perspective, double least_depth) {
+  MapExtent extent;
   scene::Bounds box;
   bool before = true;
   for (const glm::dvec3& vertex : vertices) {
@@ -132,7 +132,7 @@ Extent caster_extent(const MapSpace& space, const std::vector<glm::dvec3>& verti
   extent = {};
   const Hexahedron shape = hexahedron(box);
   for (const auto& side : sides_of(shape)) {
-    const Extent cut = space.extent(side, least_depth);
+    const MapExtent cut = space.extent(side, least_depth);
     if (!cut.empty()) extent.add(cut);
   }
   return extent;
@@ -140,21 +140,21 @@ Extent caster_extent(const MapSpace& space, const std::vector<glm::dvec3>& verti
 
 // The union of what each caster can shadow: its extent cut to the receivers', if it begins before
 // the farthest of them.
-Extent window_of(const MapSpace& space, const MapContent& content,
-                 const std::vector<std::vector<glm::dvec3>>& casters, bool perspective,
-                 double least_depth) {
-  Extent receivers;
+MapExtent window_of(const MapSpace& space, const MapContent& content,
+                    const std::vector<std::vector<glm::dvec3>>& casters, bool perspective,
+                    double least_depth) {
+  MapExtent receivers;
   for (const auto& piece : content.receivers) {
     if (piece.empty()) continue;
-    const Extent extent = space.extent(piece, least_depth);
+    const MapExtent extent = space.extent(piece, least_depth);
     if (!extent.empty()) receivers.add(extent);
   }
-  Extent window;
+  MapExtent window;
   if (receivers.empty()) return window;
   for (const auto& vertices : casters) {
-    const Extent caster = caster_extent(space, vertices, perspective, least_depth);
+    const MapExtent caster = caster_extent(space, vertices, perspective, least_depth);
     if (caster.empty() || caster.near > receivers.far) continue;
-    const Extent shadowed = common(caster, receivers);
+    const MapExtent shadowed = common(caster, receivers);
     if (!shadowed.empty()) window.add(shadowed);
   }
   window.far = receivers.far;
@@ -163,7 +163,7 @@ Extent window_of(const MapSpace& space, const MapContent& content,
 
 // Room for filters and rounding; and some map where there is nothing to show, since a recipe draws
 // one in any case.
-Extent padded(Extent window, double least_depth, bool perspective) {
+MapExtent padded(MapExtent window, double least_depth, bool perspective) {
   if (window.empty() || window.near > window.far) {
     const double depth = perspective ? std::max(2 * least_depth, 1.0) : 1.0;
     return {glm::dvec2(-1), glm::dvec2(1), depth / 2, 2 * depth};
@@ -176,7 +176,7 @@ Extent padded(Extent window, double least_depth, bool perspective) {
   const double width = largest * (perspective ? window.far : 1.0);
   const double depth =
       std::max(depth_margin * std::max(window.far - window.near, 1e-2 * width), 1e-12);
-  Extent wide{center - half, center + half, window.near - depth, window.far + depth};
+  MapExtent wide{center - half, center + half, window.near - depth, window.far + depth};
   if (perspective) wide.near = std::max(wide.near, 0.5 * std::max(window.near, least_depth));
   return wide;
 }
