@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tidy.sh BUILD_FOLDER: clang-tidy finds nothing in src/. Sources that passed are not read again.
+# tidy.sh BUILD_FOLDER: clang-tidy finds nothing in src/. A floor that passed is not read again.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . checks/build.sh
